@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_ArrayNames_h
+#define marrow_ArrayNames_h
+
+/// The names of the data contract (Documentation/data-contract.md), written down once.
+namespace marrow::names
+{
+// On mesh points
+inline constexpr const char* AGD = "AGD";
+inline constexpr const char* MSP = "MSP";
+inline constexpr const char* MSPCenter = "MSPCenter";
+inline constexpr const char* MSPNormal = "MSPNormal";
+inline constexpr const char* MSPGradient = "MSPGradient";
+inline constexpr const char* MSPValid = "MSPValid";
+inline constexpr const char* DihedralAngle = "DihedralAngle";
+inline constexpr const char* SkeletonNodeId = "SkeletonNodeId";
+
+// On skeleton points (AGD and MSP too)
+inline constexpr const char* NodeType = "NodeType";
+inline constexpr const char* Radius = "Radius";
+inline constexpr const char* VertexCount = "VertexCount";
+inline constexpr const char* CorrespondenceId = "CorrespondenceId";
+
+// On skeleton cells
+inline constexpr const char* BranchId = "BranchId";
+inline constexpr const char* BranchLength = "BranchLength";
+inline constexpr const char* BranchCorrespondenceId = "BranchCorrespondenceId";
+
+// On the skeleton as a whole (field data), about the mesh that it belongs to
+inline constexpr const char* MeshDiagonal = "MeshDiagonal";
+inline constexpr const char* MeshMaximumMSP = "MeshMaximumMSP";
+
+// On mesh cells
+inline constexpr const char* SegmentId = "SegmentId";
+inline constexpr const char* SegmentConfidence = "SegmentConfidence";
+
+// On boundary cells
+inline constexpr const char* BoundaryId = "BoundaryId";
+}
+
+#endif

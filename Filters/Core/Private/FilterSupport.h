@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_FilterSupport_h
+#define marrow_FilterSupport_h
+
+#include "Progress.h"
+
+class vtkAlgorithm;
+
+/// What every filter of ours needs of VTK, and where VTK's versions differ.
+namespace marrow
+{
+/// Whether the user asked the filter to stop. Call from one thread only.
+bool IsAborted(vtkAlgorithm* filter);
+
+/// A callback that moves the filter's progress from `from` to `to` and tells of an abort.
+Progress ProgressOf(vtkAlgorithm* filter, double from = 0.0, double to = 1.0);
+}
+
+#endif

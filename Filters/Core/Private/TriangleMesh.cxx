@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow
+{
+namespace
+{
+struct EdgeKey
+{
+  int Low;
+  int High;
+  int HalfEdge;
+
+  bool SameEdge(const EdgeKey& other) const { return Low == other.Low && High == other.High; }
+  bool operator<(const EdgeKey& other) const
+  {
+    return Low != other.Low ? Low < other.Low
+                            : (High != other.High ? High < other.High : HalfEdge < other.HalfEdge);
+  }
+};
+}
+
+void TriangleMesh::BuildConnectivity()
+{
+  const int numberOfHalfEdges = 3 * this->NumberOfTriangles();
+  std::vector<EdgeKey> edges(numberOfHalfEdges);
+  for (int h = 0; h < numberOfHalfEdges; ++h)
+  {
+    const int from = this->From(h);
+    const int to = this->To(h);
+    edges[h] = { std::min(from, to), std::max(from, to), h };
+  }
+  std::sort(edges.begin(), edges.end());
+
+  this->Opposite.assign(numberOfHalfEdges, -1);
+  for (std::size_t first = 0; first < edges.size();)
+  {
+    std::size_t last = first + 1;
+    while (last < edges.size() && edges[last].SameEdge(edges[first]))
+    {
+      ++last;
+    }
+    if (last == first + 2)
+    {
+      const int a = edges[first].HalfEdge;
+      const int b = edges[first + 1].HalfEdge;
+      if (this->From(a) == this->To(b) && this->From(a) != this->To(a))
+      {
+        this->Opposite[a] = b;
+        this->Opposite[b] = a;
+      }
+    }
+    first = last;
+  }
+
+  this->Outgoing.assign(this->Points.size(), -1);
+  for (int h = 0; h < numberOfHalfEdges; ++h)
+  {
+    const int vertex = this->From(h);
+    // A half-edge without an opposite starts the fan of a border vertex.
+    if (this->Outgoing[vertex] < 0 || this->Opposite[h] < 0)
+    {
+      this->Outgoing[vertex] = h;
+    }
+  }
+}
+
+Eigen::Vector3d TriangleMesh::AreaVector(int triangle) const
+{
+  const auto& corners = this->Triangles[triangle];
+  const Eigen::Vector3d& a = this->Points[corners[0]];
+  return (this->Points[corners[1]] - a).cross(this->Points[corners[2]] - a);
+}
+
+Eigen::Vector3d TriangleMesh::Centroid(int triangle) const
+{
+  const auto& corners = this->Triangles[triangle];
+  return (this->Points[corners[0]] + this->Points[corners[1]] + this->Points[corners[2]]) / 3.0;
+}
+
+std::vector<double> TriangleMesh::TriangleAreas() const
+{
+  std::vector<double> areas(this->Triangles.size());
+  for (int t = 0; t < this->NumberOfTriangles(); ++t)
+  {
+    areas[t] = this->Area(t);
+  }
+  return areas;
+}
+
+std::vector<double> TriangleMesh::VertexAreas() const
+{
+  std::vector<double> areas(this->Points.size(), 0.0);
+  for (int t = 0; t < this->NumberOfTriangles(); ++t)
+  {
+    const double third = this->Area(t) / 3.0;
+    for (int corner : this->Triangles[t])
+    {
+      areas[corner] += third;
+    }
+  }
+  return areas;
+}
+
+std::vector<Eigen::Vector3d> TriangleMesh::VertexNormals() const
+{
+  std::vector<Eigen::Vector3d> normals(this->Points.size(), Eigen::Vector3d::Zero());
+  for (int t = 0; t < this->NumberOfTriangles(); ++t)
+  {
+    const Eigen::Vector3d areaVector = this->AreaVector(t);
+    const double length = areaVector.norm();
+    if (length <= 0.0)
+    {
+      continue;
+    }
+    const auto& corners = this->Triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d a = this->Points[corners[(k + 1) % 3]] - this->Points[corners[k]];
+      const Eigen::Vector3d b = this->Points[corners[(k + 2) % 3]] - this->Points[corners[k]];
+      const double angle = std::atan2(length, a.dot(b));
+      normals[corners[k]] += (angle / length) * areaVector;
+    }
+  }
+  for (auto& normal : normals)
+  {
+    const double length = normal.norm();
+    if (length > 0.0)
+    {
+      normal /= length;
+    }
+  }
+  return normals;
+}
+
+double TriangleMesh::BoundingBoxDiagonal() const
+{
+  if (this->Points.empty())
+  {
+    return 0.0;
+  }
+  Eigen::Vector3d low = this->Points.front();
+  Eigen::Vector3d high = low;
+  for (const auto& point : this->Points)
+  {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return (high - low).norm();
+}
+}
