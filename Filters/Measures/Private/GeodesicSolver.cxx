@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GeodesicSolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace marrow
+{
+namespace
+{
+// Gains below this are not passed on; far below the error of the method.
+constexpr float RelativeGain = 1e-5f;
+// Every sweep settles at least the next vertex of each path; in practice ten are enough.
+constexpr int MaximumNumberOfSweeps = 1000;
+}
+
+GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
+{
+  std::vector<int> rankOfVertex(mesh.Points.size(), -1);
+  this->VertexOfRank.reserve(mesh.Points.size());
+  const auto enqueue = [&](int vertex)
+  {
+    if (rankOfVertex[vertex] < 0)
+    {
+      rankOfVertex[vertex] = static_cast<int>(this->VertexOfRank.size());
+      this->VertexOfRank.push_back(vertex);
+    }
+  };
+  std::size_t front = 0;
+  for (int seed = 0; seed < mesh.NumberOfVertices(); ++seed)
+  {
+    if (mesh.Outgoing[seed] < 0 || rankOfVertex[seed] >= 0)
+    {
+      continue;
+    }
+    this->BeginOfComponent.push_back(static_cast<int>(this->VertexOfRank.size()));
+    enqueue(seed);
+    for (; front < this->VertexOfRank.size(); ++front)
+    {
+      mesh.ForEachNeighbor(this->VertexOfRank[front], enqueue);
+    }
+  }
+  this->BeginOfComponent.push_back(static_cast<int>(this->VertexOfRank.size()));
+
+  this->CornerOffset.reserve(this->VertexOfRank.size() + 1);
+  this->Corners.reserve(3 * mesh.Triangles.size());
+  this->CornerOffset.push_back(0);
+  for (int vertex : this->VertexOfRank)
+  {
+    mesh.ForEachOutgoing(vertex,
+      [&](int h)
+      {
+        const int first = mesh.To(h);
+        const int second = mesh.From(TriangleMesh::Previous(h));
+        const Eigen::Vector3d base = mesh.Points[second] - mesh.Points[first];
+        const Eigen::Vector3d toVertex = mesh.Points[vertex] - mesh.Points[first];
+        const double length = base.norm();
+        const double x = length > 0.0 ? base.dot(toVertex) / length : 0.0;
+        const double y = std::sqrt(std::max(0.0, toVertex.squaredNorm() - x * x));
+        Corner corner;
+        corner.First = rankOfVertex[first];
+        corner.Second = rankOfVertex[second];
+        corner.X = static_cast<float>(x);
+        corner.Y = static_cast<float>(y);
+        corner.Base = static_cast<float>(length);
+        corner.InverseBase = corner.Base > 0.0f ? 1.0f / corner.Base : 0.0f;
+        corner.ToFirst = static_cast<float>(toVertex.norm());
+        corner.ToSecond = static_cast<float>((mesh.Points[vertex] - mesh.Points[second]).norm());
+        this->Corners.push_back(corner);
+      });
+    this->CornerOffset.push_back(static_cast<int>(this->Corners.size()));
+  }
+}
+
+bool GeodesicSolver::Update(
+  const Corner& corner, const float* first, const float* second, float* own)
+{
+  int changed = 0;
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const float a = first[lane];
+    const float b = second[lane];
+    // The unfolded source is (x, -y). Infinite distances make NaN here, and then every comparison
+    // fails, which leaves the way along an edge.
+    const float x = 0.5f * (corner.Base + (a - b) * (a + b) * corner.InverseBase);
+    const float ySquared = a * a - x * x;
+    const float y = std::sqrt(ySquared > 0.0f ? ySquared : 0.0f);
+    const float dx = corner.X - x;
+    const float dy = corner.Y + y;
+    const float straight = std::sqrt(dx * dx + dy * dy);
+    const float crossing = x * corner.Y + corner.X * y;
+    const bool passes = (ySquared >= 0.0f) & (crossing >= 0.0f) & (crossing <= corner.Base * dy);
+    const float overFirst = a + corner.ToFirst;
+    const float overSecond = b + corner.ToSecond;
+    const float alongEdge = overFirst < overSecond ? overFirst : overSecond;
+    const float offer = passes ? straight : alongEdge;
+    const float old = own[lane];
+    const bool gains = offer < old * (1.0f - RelativeGain);
+    own[lane] = gains ? offer : old;
+    changed |= gains ? 1 : 0;
+  }
+  return changed != 0;
+}
+
+void GeodesicSolver::Distances(
+  int component, const std::vector<int>& sources, std::vector<float>& distances) const
+{
+  const int begin = this->BeginOfComponent[component];
+  const int end = this->BeginOfComponent[component + 1];
+  distances.assign(
+    static_cast<std::size_t>(Lanes) * (end - begin), std::numeric_limits<float>::infinity());
+  std::vector<char> pending(end - begin, 0);
+  int numberPending = 0;
+  const auto wakeNeighbors = [&](int rank)
+  {
+    for (int i = this->CornerOffset[rank]; i < this->CornerOffset[rank + 1]; ++i)
+    {
+      for (int neighbor : { this->Corners[i].First, this->Corners[i].Second })
+      {
+        numberPending += pending[neighbor - begin] ? 0 : 1;
+        pending[neighbor - begin] = 1;
+      }
+    }
+  };
+  const auto distancesOf = [&](int rank)
+  { return distances.data() + static_cast<std::size_t>(Lanes) * (rank - begin); };
+
+  for (std::size_t lane = 0; lane < sources.size(); ++lane)
+  {
+    distancesOf(sources[lane])[lane] = 0.0f;
+    wakeNeighbors(sources[lane]);
+  }
+  for (int sweep = 0; sweep < MaximumNumberOfSweeps && numberPending > 0; ++sweep)
+  {
+    const bool forward = sweep % 2 == 0;
+    for (int i = 0; i < end - begin; ++i)
+    {
+      const int rank = forward ? begin + i : end - 1 - i;
+      if (!pending[rank - begin])
+      {
+        continue;
+      }
+      pending[rank - begin] = 0;
+      --numberPending;
+      float* own = distancesOf(rank);
+      bool changed = false;
+      for (int c = this->CornerOffset[rank]; c < this->CornerOffset[rank + 1]; ++c)
+      {
+        const Corner& corner = this->Corners[c];
+        changed |= Update(corner, distancesOf(corner.First), distancesOf(corner.Second), own);
+      }
+      if (changed)
+      {
+        wakeNeighbors(rank);
+      }
+    }
+  }
+}
+}

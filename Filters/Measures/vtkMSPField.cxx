@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMSPField.h"
+
+#include "ArrayNames.h"
+#include "AverageGeodesicDistance.h"
+#include "FilterSupport.h"
+#include "MeshBridge.h"
+#include "MinimumSlicePerimeter.h"
+#include "SurfaceMeasures.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkMSPField);
+
+namespace
+{
+constexpr int NumberOfSampledSources = 64;
+constexpr double ProgressAfterAGD = 0.3;
+}
+
+int vtkMSPField::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+
+  marrow::TriangleMesh mesh;
+  marrow::MeshReport report;
+  const std::string error = marrow::ToManifoldMesh(input, mesh, report);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  output->ShallowCopy(input);
+
+  std::vector<double> averageDistance;
+  marrow::SliceField slices;
+  const int numberOfSources = this->AGDMethod == ALL_PAIRS ? 0 : NumberOfSampledSources;
+  if (!marrow::ComputeAverageGeodesicDistance(
+        mesh, numberOfSources, averageDistance, marrow::ProgressOf(this, 0.0, ProgressAfterAGD)) ||
+    !marrow::ComputeMinimumSlicePerimeter(
+      mesh, this->NumberOfSlices, slices, marrow::ProgressOf(this, ProgressAfterAGD, 1.0)))
+  {
+    return 1; // aborted: the mesh passes without the measures
+  }
+
+  vtkPointData* points = output->GetPointData();
+  marrow::SetArray(points, marrow::names::AGD, averageDistance);
+  marrow::SetArray(points, marrow::names::MSP, slices.Perimeter);
+  marrow::SetArray(points, marrow::names::MSPCenter, slices.Center);
+  marrow::SetArray(points, marrow::names::MSPNormal, slices.Normal);
+  marrow::SetArray(points, marrow::names::MSPValid, slices.Valid);
+  marrow::SetArray(
+    points, marrow::names::MSPGradient, marrow::VertexGradient(mesh, slices.Perimeter));
+  marrow::SetArray(points, marrow::names::DihedralAngle, marrow::VertexDihedralAngles(mesh));
+  return 1;
+}
+
+void vtkMSPField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "AGDMethod: " << (this->AGDMethod == ALL_PAIRS ? "ALL_PAIRS" : "SAMPLED") << "\n";
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkMSPField_h
+#define vtkMSPField_h
+
+#include "MarrowMeasuresModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+/**
+ * @class vtkMSPField
+ * @brief average geodesic distance, minimum slice perimeter, its gradient, and dihedral angle
+ *
+ * Computes the measures on which skeletons, correspondences and boundaries rest:
+ *
+ * - AGD, average geodesic distance (correspondence paper 4.1): the area-weighted mean of the
+ * geodesic distances from a vertex to all others of its component, normalised over the component to
+ * [0,1]. It is small at the middle of the shape and large at its extremities. By default it is
+ * taken from sampled sources, which differs from all pairs by less than 0.01 in the mean.
+ * - MSP, minimum slice perimeter (correspondence paper 5, transfer paper 3.4): the least perimeter
+ * of the curves in which planes through the vertex and its normal cut the surface. It tells how
+ * thick the part is, and its curve's centroid lies in the middle of it.
+ * - The gradient of MSP (transfer paper 3.4), large where the thickness changes.
+ * - The dihedral angle (transfer paper 4.4).
+ *
+ * Ports: input 0 is a triangle mesh, output 0 the same mesh, its points, cells and arrays
+ * untouched, with these point arrays added or replaced:
+ *
+ * | array         | type     | meaning |
+ * | ------------- | -------- | ------- |
+ * | AGD           | double   | average geodesic distance, [0,1] per connected component; 0 if all
+ * are equal | | MSP           | double   | least slice perimeter, in mesh units | | MSPCenter     |
+ * double×3 | length-weighted centroid of that slice | | MSPNormal     | double×3 | unit normal of
+ * that slice's plane; its sign means nothing | | MSPGradient   | double×3 | gradient of MSP,
+ * dimensionless, towards the thicker part | | MSPValid      | uchar    | 1: the slice is closed; 0:
+ * closed by its chord, or filled in | | DihedralAngle | double   | length-weighted mean over the
+ * vertex's inner edges of the angle between the normals of the two triangles, radians, convex
+ * positive |
+ *
+ * Slices that meet a border of the mesh are followed to the border both ways and closed by the
+ * chord between the ends; they count only at vertices where no slice closes by itself. Vertices
+ * without any slice (no area round them) take the mean of their neighbours. Points that no triangle
+ * uses get AGD, MSP, gradient and dihedral angle 0 and themselves as the slice centre. No value is
+ * ever NaN.
+ *
+ * The result is the same, bit for bit, on any number of threads. It turns, moves and scales with
+ * the mesh, and does not depend on the order of points and cells, up to rounding and, for the
+ * sampled AGD, the choice among equally far samples.
+ *
+ * Errors: an empty mesh; cells other than triangles; points that are not finite; triangles that use
+ * a point twice; edges with more than two triangles or with two of opposite orientation; vertices
+ * where separate fans touch. The message says how many, where the first is, and the remedy. Open
+ * meshes and several components are no error.
+ *
+ * @sa vtkMSPSkeleton
+ */
+class MARROWMEASURES_EXPORT vtkMSPField : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMSPField* New();
+  vtkTypeMacro(vtkMSPField, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Number of planes tried at each vertex, from one to the next turned by π over this number. More
+   * planes find a smaller perimeter and cost in proportion. Default 12, range 2 to 180.
+   */
+  vtkSetClampMacro(NumberOfSlices, int, 2, 180);
+  vtkGetMacro(NumberOfSlices, int);
+  ///@}
+
+  enum AGDMethodType
+  {
+    SAMPLED = 0,  ///< from 64 farthest-point samples of each component; time grows with n
+    ALL_PAIRS = 1 ///< from every vertex, as the definition says; time grows with n²
+  };
+
+  ///@{
+  /**
+   * From which vertices the average geodesic distance is taken. Default SAMPLED.
+   */
+  vtkSetClampMacro(AGDMethod, int, SAMPLED, ALL_PAIRS);
+  vtkGetMacro(AGDMethod, int);
+  void SetAGDMethodToSampled() { this->SetAGDMethod(SAMPLED); }
+  void SetAGDMethodToAllPairs() { this->SetAGDMethod(ALL_PAIRS); }
+  ///@}
+
+protected:
+  vtkMSPField() = default;
+  ~vtkMSPField() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int NumberOfSlices = 12;
+  int AGDMethod = SAMPLED;
+
+private:
+  vtkMSPField(const vtkMSPField&) = delete;
+  void operator=(const vtkMSPField&) = delete;
+};
+
+#endif
