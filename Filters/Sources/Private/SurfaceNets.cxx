@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceNets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace marrow
+{
+namespace
+{
+constexpr int BlockSize = 8;
+constexpr int BlockPoints = BlockSize + 1;
+
+using Index = Eigen::Vector3i;
+
+std::int64_t Key(const Index& cell)
+{
+  // 21 bits an axis; cells may lie one before the first.
+  return ((static_cast<std::int64_t>(cell[2]) + 1) << 42) |
+    ((static_cast<std::int64_t>(cell[1]) + 1) << 21) | (static_cast<std::int64_t>(cell[0]) + 1);
+}
+
+/// The values at the grid points of one block.
+class Block
+{
+public:
+  explicit Block(const Index& first)
+    : First(first)
+    , Values(BlockPoints * BlockPoints * BlockPoints)
+  {
+  }
+  double& At(int x, int y, int z) { return this->Values[(z * BlockPoints + y) * BlockPoints + x]; }
+  double At(const Index& point) const
+  {
+    return this->Values[(point[2] * BlockPoints + point[1]) * BlockPoints + point[0]];
+  }
+
+  Index First; ///< of its cells
+private:
+  std::vector<double> Values;
+};
+
+template <typename Visit>
+void ForEachCell(Visit&& visit)
+{
+  for (int z = 0; z < BlockSize; ++z)
+  {
+    for (int y = 0; y < BlockSize; ++y)
+    {
+      for (int x = 0; x < BlockSize; ++x)
+      {
+        visit(Index(x, y, z));
+      }
+    }
+  }
+}
+
+/// The surface inside one cell: which of its 12 edges it crosses, and which of these belong to the
+/// same sheet. Edge 4 * axis + side runs along the axis; bit 0 of side is the coordinate of its
+/// ends on the next axis, bit 1 that on the one after.
+class CellSurface
+{
+public:
+  CellSurface(const Block& block, const Index& cell)
+  {
+    for (int edge = 0; edge < 12; ++edge)
+    {
+      const double a = block.At(cell + CornerOf(edge));
+      const double b = block.At(cell + CornerOf(edge) + Index::Unit(edge / 4));
+      this->Crossed[edge] = (a < 0.0) != (b < 0.0);
+      this->Sheet[edge] = edge;
+      if (this->Crossed[edge])
+      {
+        this->Place[edge] =
+          CornerOf(edge).cast<double>() + a / (a - b) * Eigen::Vector3d::Unit(edge / 4);
+      }
+    }
+    for (int face = 0; face < 6; ++face)
+    {
+      this->JoinAcross(block, cell, face / 2, face % 2);
+    }
+  }
+
+  /// Appends a vertex per sheet, the mean of its crossings, and tells which edge got which.
+  std::array<int, 12> AddVertices(
+    const Eigen::Vector3d& corner, double spacing, std::vector<Eigen::Vector3d>& points) const
+  {
+    std::array<int, 12> vertexOfEdge;
+    vertexOfEdge.fill(-1);
+    for (int sheet = 0; sheet < 12; ++sheet)
+    {
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      int count = 0;
+      for (int edge = 0; edge < 12; ++edge)
+      {
+        if (this->Crossed[edge] && this->Sheet[edge] == sheet)
+        {
+          mean += this->Place[edge];
+          ++count;
+          vertexOfEdge[edge] = static_cast<int>(points.size());
+        }
+      }
+      if (count > 0)
+      {
+        points.push_back(corner + spacing / count * mean);
+      }
+    }
+    return vertexOfEdge;
+  }
+
+private:
+  static Index CornerOf(int edge)
+  {
+    Index corner = Index::Zero();
+    corner[(edge / 4 + 1) % 3] = edge & 1;
+    corner[(edge / 4 + 2) % 3] = (edge >> 1) & 1;
+    return corner;
+  }
+
+  void Join(int edge, int other)
+  {
+    const int from = this->Sheet[edge];
+    const int to = this->Sheet[other];
+    std::replace(this->Sheet.begin(), this->Sheet.end(), from, to);
+  }
+
+  /// Joins the edges that the surface connects across the face at `side` of the axis. Where it
+  /// crosses all four, the two corners inside are taken as parted, so both cells agree.
+  void JoinAcross(const Block& block, const Index& cell, int axis, int side)
+  {
+    const int a = (axis + 1) % 3;
+    const int b = (axis + 2) % 3;
+    // Edges along a, which is followed by b and the axis; edges along b, by the axis and a.
+    const int alongA[2] = { 4 * a + 2 * side, 4 * a + 1 + 2 * side };
+    const int alongB[2] = { 4 * b + side, 4 * b + side + 2 };
+    std::array<int, 4> crossed{};
+    int count = 0;
+    for (int edge : { alongA[0], alongA[1], alongB[0], alongB[1] })
+    {
+      if (this->Crossed[edge])
+      {
+        crossed[count++] = edge;
+      }
+    }
+    if (count == 2)
+    {
+      this->Join(crossed[0], crossed[1]);
+    }
+    for (int corner = 0; count == 4 && corner < 4; ++corner)
+    {
+      const int atA = corner & 1;
+      const int atB = corner >> 1;
+      if (block.At(cell + side * Index::Unit(axis) + atA * Index::Unit(a) + atB * Index::Unit(b)) <
+        0.0)
+      {
+        this->Join(alongA[atB], alongB[atA]);
+      }
+    }
+  }
+
+  std::array<bool, 12> Crossed{};
+  std::array<int, 12> Sheet{};
+  std::array<Eigen::Vector3d, 12> Place;
+};
+}
+
+TriangleMesh SurfaceNets(const std::function<double(const Eigen::Vector3d&)>& function,
+  const Eigen::Vector3d& low, const Eigen::Vector3d& high, double spacing)
+{
+  // The blocks near the surface, in the order of their numbers.
+  const Index blocks = ((high - low) / (spacing * BlockSize)).array().floor().cast<int>() + 1;
+  const double reach = 0.5 * std::sqrt(3.0) * BlockSize * spacing * 1.0001;
+  std::vector<Block> active;
+  for (int z = 0; z < blocks[2]; ++z)
+  {
+    for (int y = 0; y < blocks[1]; ++y)
+    {
+      for (int x = 0; x < blocks[0]; ++x)
+      {
+        const Index first = BlockSize * Index(x, y, z);
+        const Eigen::Vector3d corner = low + spacing * first.cast<double>();
+        if (std::abs(function(corner + Eigen::Vector3d::Constant(0.5 * BlockSize * spacing))) >
+          reach)
+        {
+          continue;
+        }
+        active.emplace_back(first);
+        for (int k = 0; k < BlockPoints; ++k)
+        {
+          for (int j = 0; j < BlockPoints; ++j)
+          {
+            for (int i = 0; i < BlockPoints; ++i)
+            {
+              // From the grid's origin, not the block's: blocks must agree on their common points.
+              active.back().At(i, j, k) =
+                function(low + spacing * (first + Index(i, j, k)).cast<double>());
+            }
+          }
+        }
+      }
+    }
+  }
+
+  TriangleMesh mesh;
+  std::unordered_map<std::int64_t, std::array<int, 12>> verticesOfCell;
+  for (const Block& block : active)
+  {
+    ForEachCell(
+      [&](const Index& cell)
+      {
+        const Eigen::Vector3d corner = low + spacing * (block.First + cell).cast<double>();
+        const int before = mesh.NumberOfVertices();
+        const std::array<int, 12> vertices =
+          CellSurface(block, cell).AddVertices(corner, spacing, mesh.Points);
+        if (mesh.NumberOfVertices() > before)
+        {
+          verticesOfCell[Key(block.First + cell)] = vertices;
+        }
+      });
+  }
+
+  for (const Block& block : active)
+  {
+    ForEachCell(
+      [&](const Index& cell)
+      {
+        const bool inside = block.At(cell) < 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          if (inside == (block.At(cell + Index::Unit(axis)) < 0.0))
+          {
+            continue;
+          }
+          // The four cells round the edge, counter-clockwise as seen from its far end.
+          const Index u = Index::Unit((axis + 1) % 3);
+          const Index v = Index::Unit((axis + 2) % 3);
+          const Index here = block.First + cell;
+          auto vertex = [&](const Index& at, int side)
+          { return verticesOfCell.at(Key(at))[4 * axis + side]; };
+          std::array<int, 4> quad{ vertex(here, 0), vertex(here - u, 1), vertex(here - u - v, 3),
+            vertex(here - v, 2) };
+          if (!inside)
+          {
+            std::swap(quad[1], quad[3]);
+          }
+          const auto& points = mesh.Points;
+          const int k = (points[quad[0]] - points[quad[2]]).squaredNorm() <=
+              (points[quad[1]] - points[quad[3]]).squaredNorm()
+            ? 0
+            : 1;
+          mesh.Triangles.push_back({ quad[k], quad[k + 1], quad[k + 2] });
+          mesh.Triangles.push_back({ quad[k], quad[k + 2], quad[(k + 3) % 4] });
+        }
+      });
+  }
+  mesh.BuildConnectivity();
+  return mesh;
+}
+}
