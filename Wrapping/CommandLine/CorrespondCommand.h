@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_CorrespondCommand_h
+#define marrow_CorrespondCommand_h
+
+#include "Command.h"
+
+#include <string>
+
+/// `marrow correspond`: which parts of two skeletons match (vtkSkeletonCorrespondence).
+class CorrespondCommand : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& marrow) override;
+  void Run(Console& console) override;
+
+private:
+  std::string Source;
+  std::string Target;
+  std::string Output;
+};
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeasureCommand.h"
+
+#include "Console.h"
+#include "MeshFiles.h"
+
+#include <vtkMSPField.h>
+#include <vtkPolyData.h>
+
+CLI::App* MeasureCommand::Declare(CLI::App& marrow)
+{
+  CLI::App* app = marrow.add_subcommand(
+    "measure", "Measure a mesh: AGD, MSP with its slices, MSP gradient, dihedral angle");
+  app->add_option("mesh", this->Mesh, "Mesh to measure (.off .ply .obj .stl .vtp .vtk)")
+    ->required();
+  app->add_option("-o,--output", this->Output, "The mesh with the measures (.vtp .vtk)")
+    ->required();
+  app->footer("Example:\n  marrow measure camel.off -o camel.vtp");
+  return app;
+}
+
+void MeasureCommand::Run(Console& console)
+{
+  files::RequireExtension(this->Output, { ".vtp", ".vtk" });
+  vtkNew<vtkMSPField> measure;
+  measure->SetInputData(files::ReadMesh(this->Mesh, console));
+  console.Update(measure, this->Mesh);
+  files::WritePolyData(measure->GetOutput(), this->Output, console);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_TransferCommand_h
+#define marrow_TransferCommand_h
+
+#include "Command.h"
+
+#include <string>
+#include <vector>
+
+/// `marrow transfer`: carries the segments of one mesh to others (vtkSegmentationTransfer).
+class TransferCommand : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& marrow) override;
+  void Run(Console& console) override;
+
+private:
+  /// The file to write for each target.
+  std::vector<std::string> OutputFiles() const;
+
+  std::string Source;
+  std::vector<std::string> Targets;
+  std::string Segments;
+  std::string Output;
+  std::string Format = "vtp";
+};
+
+#endif

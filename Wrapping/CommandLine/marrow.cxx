@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The `marrow` command: one subcommand per stage of the pipeline, and one that draws.
+#include "CommandError.h"
+#include "Console.h"
+#include "CorrespondCommand.h"
+#include "MeasureCommand.h"
+#include "RenderCommand.h"
+#include "SkeletonCommand.h"
+#include "TransferCommand.h"
+
+#include <vtkSMPTools.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+int main(int argc, char** argv)
+{
+  CLI::App app{ "Skeleton-driven segmentation transfer between triangle meshes" };
+  app.name("marrow");
+  app.set_version_flag("--version", MARROW_VERSION);
+  app.require_subcommand(1);
+  // Lets --quiet and --threads stand behind the subcommand too.
+  app.fallthrough();
+  app.failure_message([](const CLI::App*, const CLI::Error& error)
+    { return std::string("marrow: ") + error.what() + "; see marrow --help.\n"; });
+  bool quiet = false;
+  app.add_flag("-q,--quiet", quiet, "No progress bar and no warnings");
+  int threads = 0;
+  app.add_option("--threads", threads, "Number of threads (default: all processors)")
+    ->check(CLI::Range(1, 1024));
+
+  MeasureCommand measure;
+  SkeletonCommand skeleton;
+  CorrespondCommand correspond;
+  TransferCommand transfer;
+  RenderCommand render;
+  const std::pair<CLI::App*, Command*> commands[] = { { measure.Declare(app), &measure },
+    { skeleton.Declare(app), &skeleton }, { correspond.Declare(app), &correspond },
+    { transfer.Declare(app), &transfer }, { render.Declare(app), &render } };
+  CLI11_PARSE(app, argc, argv);
+
+  Console console;
+  console.SetQuiet(quiet);
+  if (threads > 0)
+  {
+    vtkSMPTools::Initialize(threads);
+  }
+  try
+  {
+    for (const auto& [parsed, command] : commands)
+    {
+      if (*parsed)
+      {
+        command->Run(console);
+      }
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "marrow: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
