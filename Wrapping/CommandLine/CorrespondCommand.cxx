@@ -4,10 +4,44 @@
 #include "Console.h"
 #include "MeshFiles.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSkeletonCorrespondence.h>
-#include <vtkTable.h>
+
+#include <fstream>
+#include <map>
+
+namespace
+{
+/// Per correspondence id the indices that have it, separated by spaces: groups match groups.
+std::map<vtkIdType, std::string> IndicesOfIds(vtkDataArray* ids)
+{
+  std::map<vtkIdType, std::string> indices;
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(i));
+    if (id >= 0)
+    {
+      std::string& list = indices[id];
+      list += (list.empty() ? "" : " ") + std::to_string(i);
+    }
+  }
+  return indices;
+}
+
+void WritePairs(
+  std::ostream& table, const std::string& kind, vtkDataArray* source, vtkDataArray* target)
+{
+  std::map<vtkIdType, std::string> targets = IndicesOfIds(target);
+  for (const auto& [id, indices] : IndicesOfIds(source))
+  {
+    table << kind << "," << id << "," << indices << "," << targets[id] << "\n";
+  }
+}
+}
 
 CLI::App* CorrespondCommand::Declare(CLI::App& marrow)
 {
@@ -15,8 +49,12 @@ CLI::App* CorrespondCommand::Declare(CLI::App& marrow)
     "correspond", "Match the skeletons of two meshes; write the matched nodes and branches");
   app->add_option("source", this->Source, "Source mesh")->required();
   app->add_option("target", this->Target, "Target mesh")->required();
-  app->add_option("-o,--output", this->Output, "Table of the matched pairs (.csv)")->required();
-  app->footer("Example:\n  marrow correspond camel.off cow.off -o pairs.csv");
+  app->add_option("-o,--output", this->Output, "Table of the matched nodes and branches (.csv)")
+    ->required();
+  app->footer(
+    "The table has one row per match: node or branch, its id, and the indices of the skeletons' "
+    "points or polylines in source and target, several where parts were merged.\n"
+    "Example:\n  marrow correspond camel.off cow.off -o pairs.csv");
   return app;
 }
 
@@ -34,6 +72,13 @@ void CorrespondCommand::Run(Console& console)
   correspondence->SetInputConnection(0, source->GetOutputPort(0));
   correspondence->SetInputConnection(1, target->GetOutputPort(0));
   console.Update(correspondence, this->Source + " and " + this->Target);
-  files::WriteTable(
-    vtkTable::SafeDownCast(correspondence->GetOutputDataObject(2)), this->Output, console);
+
+  auto* matchedSource = vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(0));
+  auto* matchedTarget = vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(1));
+  std::ofstream table = files::Create(this->Output);
+  table << "Kind,CorrespondenceId,Source,Target\n";
+  WritePairs(table, "node", matchedSource->GetPointData()->GetArray("CorrespondenceId"),
+    matchedTarget->GetPointData()->GetArray("CorrespondenceId"));
+  WritePairs(table, "branch", matchedSource->GetCellData()->GetArray("BranchCorrespondenceId"),
+    matchedTarget->GetCellData()->GetArray("BranchCorrespondenceId"));
 }

@@ -5,7 +5,6 @@
 #include "Console.h"
 
 #include <vtkCleanPolyData.h>
-#include <vtkDelimitedTextWriter.h>
 #include <vtkOBJReader.h>
 #include <vtkOFFReader.h>
 #include <vtkPLYReader.h>
@@ -15,7 +14,6 @@
 #include <vtkSTLReader.h>
 #include <vtkSegmentReader.h>
 #include <vtkSegmentWriter.h>
-#include <vtkTable.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -23,7 +21,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 
 namespace files
 {
@@ -184,13 +181,10 @@ void WriteSegments(vtkPolyData* mesh, const std::string& path, Console& console)
   Write(writer, path, console);
 }
 
-void WriteTable(vtkTable* table, const std::string& path, Console& console)
+std::ofstream Create(const std::string& path)
 {
   RequireWritable(path);
-  vtkNew<vtkDelimitedTextWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(table);
-  Write(writer, path, console);
+  return std::ofstream(path);
 }
 
 std::string Extension(const std::string& path)

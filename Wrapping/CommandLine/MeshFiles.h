@@ -4,12 +4,12 @@
 
 #include <vtkSmartPointer.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
 class Console;
 class vtkPolyData;
-class vtkTable;
 
 /// Files in and out, the format chosen by the name's ending.
 namespace files
@@ -31,8 +31,8 @@ void WritePolyData(vtkPolyData* data, const std::string& path, Console& console)
 /// Writes the cell array SegmentId, one integer per face.
 void WriteSegments(vtkPolyData* mesh, const std::string& path, Console& console);
 
-/// Writes a table as comma-separated values with a header line.
-void WriteTable(vtkTable* table, const std::string& path, Console& console);
+/// Opens a text file to be written anew.
+std::ofstream Create(const std::string& path);
 
 /// The ending with its dot, in small letters: ".vtp".
 std::string Extension(const std::string& path);

@@ -29,6 +29,8 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
   app->add_option("--format", this->Format, "What to write into the folder")
     ->check(CLI::IsMember({ "seg", "vtp" }))
     ->capture_default_str();
+  app->add_flag("--skeletons", this->WriteSkeletons,
+    "Also write the skeletons, NAME_skeleton.vtp in the folder of the output");
   app->footer("Examples:\n"
               "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
               "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled");
@@ -57,6 +59,17 @@ std::vector<std::string> TransferCommand::OutputFiles() const
   return outputs;
 }
 
+void TransferCommand::WriteSkeleton(vtkMSPSkeleton* skeleton, const std::string& mesh,
+  const std::string& besideFile, Console& console) const
+{
+  if (this->WriteSkeletons)
+  {
+    const std::filesystem::path folder = std::filesystem::path(besideFile).parent_path();
+    files::WritePolyData(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)),
+      (folder / (files::Stem(mesh) + "_skeleton.vtp")).string(), console);
+  }
+}
+
 void TransferCommand::Run(Console& console)
 {
   const std::vector<std::string> outputs = this->OutputFiles();
@@ -75,12 +88,14 @@ void TransferCommand::Run(Console& console)
   vtkNew<vtkMSPSkeleton> sourceSkeleton;
   sourceSkeleton->SetInputData(source);
   console.Update(sourceSkeleton, this->Source);
+  this->WriteSkeleton(sourceSkeleton, this->Source, outputs.front(), console);
 
   for (std::size_t i = 0; i < this->Targets.size(); ++i)
   {
     vtkNew<vtkMSPSkeleton> targetSkeleton;
     targetSkeleton->SetInputData(files::ReadMesh(this->Targets[i], console));
     console.Update(targetSkeleton, this->Targets[i]);
+    this->WriteSkeleton(targetSkeleton, this->Targets[i], outputs[i], console);
 
     vtkNew<vtkSegmentationTransfer> transfer;
     transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1));

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+class vtkMSPSkeleton;
+
 /// `marrow transfer`: carries the segments of one mesh to others (vtkSegmentationTransfer).
 class TransferCommand : public Command
 {
@@ -18,11 +20,15 @@ private:
   /// The file to write for each target.
   std::vector<std::string> OutputFiles() const;
 
+  void WriteSkeleton(vtkMSPSkeleton* skeleton, const std::string& mesh,
+    const std::string& besideFile, Console& console) const;
+
   std::string Source;
   std::vector<std::string> Targets;
   std::string Segments;
   std::string Output;
   std::string Format = "vtp";
+  bool WriteSkeletons = false;
 };
 
 #endif

@@ -1,0 +1,27 @@
+#!/bin/bash
+# The layers of Documentation/architecture.md, kept by a search.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+failed=0
+
+# Algorithms are plain C++: in a Private folder only Core's bridges know VTK.
+if grep -rnE '#include [<"]vtk' Filters/*/Private Rendering/Private |
+  grep -vE '^Filters/Core/Private/(MeshBridge|SkeletonBridge|FilterSupport|ParallelFor)\.(h|cxx):'; then
+  echo "VTK is included in the algorithm layer: see above." >&2
+  failed=1
+fi
+
+# Backends do not show in public headers.
+if grep -nE '#include [<"](Eigen|boost|CGAL)/' Filters/*/*.h Rendering/*.h; then
+  echo "A public header includes a backend: see above." >&2
+  failed=1
+fi
+
+# Marrow's private headers are not installed, so no public header may need them.
+private=$(find Filters/*/Private Rendering/Private -name '*.h' -printf '%f\n' | paste -sd'|' |
+  sed 's/\./\\./g')
+if grep -nE "#include \"($private)\"" Filters/*/*.h Rendering/*.h; then
+  echo "A public header includes a private one: see above." >&2
+  failed=1
+fi
+exit $failed
