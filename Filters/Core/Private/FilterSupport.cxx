@@ -2,6 +2,8 @@
 #include "FilterSupport.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
 #include <vtkVersionMacros.h>
 
 namespace marrow
@@ -22,5 +24,24 @@ Progress ProgressOf(vtkAlgorithm* filter, double from, double to)
     filter->UpdateProgress(from + (to - from) * fraction);
     return !IsAborted(filter);
   };
+}
+
+void WatchInner(vtkAlgorithm* outer, vtkAlgorithm* inner, double from, double to)
+{
+  struct Watch : vtkCommand
+  {
+    static Watch* New() { return new Watch; }
+    void Execute(vtkObject* caller, unsigned long, void* fraction) override
+    {
+      if (!this->Outward(*static_cast<double*>(fraction)))
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    }
+    Progress Outward;
+  };
+  vtkNew<Watch> watch;
+  watch->Outward = ProgressOf(outer, from, to);
+  inner->AddObserver(vtkCommand::ProgressEvent, watch);
 }
 }

@@ -132,4 +132,17 @@ void Skeleton::ExtractBranches()
     }
   }
 }
+
+void Skeleton::UpdateArcLengths()
+{
+  for (Branch& branch : this->Branches)
+  {
+    for (std::size_t i = 1; i < branch.Nodes.size(); ++i)
+    {
+      const Eigen::Vector3d& before = this->Graph[branch.Nodes[i - 1]].Position;
+      branch.ArcLength[i] =
+        branch.ArcLength[i - 1] + (this->Graph[branch.Nodes[i]].Position - before).norm();
+    }
+  }
+}
 }

@@ -65,6 +65,8 @@ struct Skeleton
 
   /// Fills Branches from Graph, in an order given by the node numbers alone.
   void ExtractBranches();
+  /// Brings the branches' arc lengths up to date after nodes were moved.
+  void UpdateArcLengths();
 };
 }
 

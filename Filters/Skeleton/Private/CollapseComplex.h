@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_CollapseComplex_h
+#define marrow_CollapseComplex_h
+
+#include "HomologyAnnotation.h"
+#include "TriangleMesh.h"
+
+#include <vector>
+
+namespace marrow
+{
+/// The vertices, edges and triangles of a mesh while its edges are collapsed. It need not stay a
+/// manifold: sheets fall together into one, and in the end only edges are left. Every edge keeps its
+/// homology annotation, so that it is known at any time which loops bound.
+class CollapseComplex
+{
+public:
+  struct Edge
+  {
+    int A;
+    int B;
+    bool Alive;
+    std::vector<int> Apexes; ///< the third vertices of its triangles
+    HomologyClass Class;
+  };
+  struct Spoke
+  {
+    int Neighbor;
+    int Edge;
+  };
+
+  explicit CollapseComplex(const TriangleMesh& closedMesh);
+
+  int NumberOfVertices() const { return static_cast<int>(this->Spokes.size()); }
+  int NumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
+  int NumberOfTriangles() const { return this->TriangleCount; }
+  /// Half the rank of the homology at the start: the number of loops that may be closed.
+  int Genus() const { return this->GenusAtStart; }
+  int NumberOfClosedLoops() const { return this->ClosedLoops; }
+
+  bool IsAlive(int vertex) const { return this->Alive[vertex]; }
+  const Edge& EdgeAt(int edge) const { return this->Edges[edge]; }
+  const std::vector<Spoke>& SpokesOf(int vertex) const { return this->Spokes[vertex]; }
+  /// The vertices that were merged into `vertex`, itself among them.
+  const std::vector<int>& MergedInto(int vertex) const { return this->Merged[vertex]; }
+  int FindEdge(int a, int b) const;
+
+  /// The common neighbours k of both ends whose loop a, b, k does not bound: it would be closed.
+  std::vector<int> ThirdsOfOpenLoops(int a, int b, int edge) const;
+
+  /// Merges `from` into `to` along `edge`.
+  void Collapse(int from, int to, int edge);
+
+  /// The edges of a graph with as many independent loops as the complex has classes left: all that
+  /// are alive when no triangle is left, else a spanning forest and one edge for each class.
+  std::vector<int> GraphEdges() const;
+
+private:
+  void MoveTriangles(int from, int to);
+  void CloseLoop(const HomologyClass& loop);
+  void RemoveSpoke(int vertex, int neighbor);
+
+  std::vector<Edge> Edges;
+  std::vector<std::vector<Spoke>> Spokes;
+  std::vector<std::vector<int>> Merged;
+  std::vector<char> Alive;
+  int TriangleCount = 0;
+  int GenusAtStart = 0;
+  int ClosedLoops = 0;
+};
+}
+
+#endif

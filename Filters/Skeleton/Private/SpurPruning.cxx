@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SpurPruning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace marrow
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double LimbProminence = 1.25;
+constexpr double Window = 1.6;
+
+/// A terminal branch that ends at a junction.
+struct Candidate
+{
+  int Branch = -1;
+  int Junction = -1;
+  double Significance = 0.0;
+};
+
+class Pruner
+{
+public:
+  Pruner(const TriangleMesh& mesh, const std::vector<double>& msp, double finestArea)
+    : Mesh(mesh)
+    , MSP(msp)
+    , Area(mesh.VertexAreas())
+    , FinestArea(finestArea * std::accumulate(this->Area.begin(), this->Area.end(), 0.0))
+  {
+  }
+
+  /// Removes `count` spurs, or as many as are less significant than the top of the window; returns
+  /// the significances in the order of removal, and that of the first that stays.
+  std::vector<double> Remove(Skeleton& skeleton, int count) const
+  {
+    std::vector<double> removed;
+    for (;;)
+    {
+      const Candidate candidate = this->LeastSignificant(skeleton);
+      if (candidate.Branch < 0)
+      {
+        return removed;
+      }
+      removed.push_back(candidate.Significance);
+      if (static_cast<int>(removed.size()) > count ||
+        (count == AsManyAsPossible && candidate.Significance > Window))
+      {
+        return removed;
+      }
+      RemoveBranch(skeleton, candidate);
+    }
+  }
+
+  static constexpr int AsManyAsPossible = 1 << 30;
+
+private:
+  Candidate LeastSignificant(const Skeleton& skeleton) const
+  {
+    Candidate least;
+    for (int b = 0; b < skeleton.NumberOfBranches(); ++b)
+    {
+      const Branch& branch = skeleton.Branches[b];
+      const bool frontIsTerminal = skeleton.TypeOf(branch.Front()) == NodeType::Terminal;
+      const bool backIsTerminal = skeleton.TypeOf(branch.Back()) == NodeType::Terminal;
+      if (frontIsTerminal == backIsTerminal)
+      {
+        continue;
+      }
+      const int junction = frontIsTerminal ? branch.Back() : branch.Front();
+      const int terminal = frontIsTerminal ? branch.Front() : branch.Back();
+      const double significance = this->Significance(skeleton, branch, junction, terminal);
+      if (least.Branch < 0 || significance < least.Significance)
+      {
+        least = { b, junction, significance };
+      }
+    }
+    return least;
+  }
+
+  double Significance(
+    const Skeleton& skeleton, const Branch& branch, int junction, int terminal) const
+  {
+    const SkeletonNode& root = skeleton.Graph[junction];
+    const SkeletonNode& tip = skeleton.Graph[terminal];
+    double body = 0.0;
+    for (const int v : root.Vertices)
+    {
+      body += (this->Mesh.Points[v] - root.Position).norm();
+    }
+    body /= std::max<std::size_t>(1, root.Vertices.size());
+
+    double beyond = 0.0;
+    for (const int v : tip.Vertices)
+    {
+      beyond = std::max(beyond, (this->Mesh.Points[v] - tip.Position).norm());
+    }
+
+    double area = 0.0;
+    double outsideArea = 0.0;
+    double outsideRadius = 0.0;
+    for (const int node : branch.Nodes)
+    {
+      if (node == junction)
+      {
+        continue;
+      }
+      for (const int v : skeleton.Graph[node].Vertices)
+      {
+        area += this->Area[v];
+        if ((this->Mesh.Points[v] - root.Position).norm() > body)
+        {
+          outsideArea += this->Area[v];
+          outsideRadius += this->Area[v] * this->MSP[v] / (2.0 * Pi);
+        }
+      }
+    }
+    if (outsideArea <= 0.0)
+    {
+      return 0.0;
+    }
+    const double thickness = outsideRadius / outsideArea;
+    const double prominence = (branch.Length() + beyond - body) / thickness;
+    return std::max(0.0, std::min(prominence / LimbProminence, area / this->FinestArea));
+  }
+
+  static void RemoveBranch(Skeleton& skeleton, const Candidate& candidate)
+  {
+    SkeletonGraph& graph = skeleton.Graph;
+    std::vector<char> dead(boost::num_vertices(graph), 0);
+    auto& kept = graph[candidate.Junction].Vertices;
+    for (const int node : skeleton.Branches[candidate.Branch].Nodes)
+    {
+      if (node != candidate.Junction)
+      {
+        dead[node] = 1;
+        kept.insert(kept.end(), graph[node].Vertices.begin(), graph[node].Vertices.end());
+      }
+    }
+    std::sort(kept.begin(), kept.end());
+
+    SkeletonGraph smaller;
+    std::vector<int> newNode(dead.size(), -1);
+    for (std::size_t node = 0; node < dead.size(); ++node)
+    {
+      if (!dead[node])
+      {
+        newNode[node] = static_cast<int>(boost::add_vertex(std::move(graph[node]), smaller));
+      }
+    }
+    for (auto [e, end] = boost::edges(graph); e != end; ++e)
+    {
+      const int a = newNode[boost::source(*e, graph)];
+      const int b = newNode[boost::target(*e, graph)];
+      if (a >= 0 && b >= 0)
+      {
+        boost::add_edge(a, b, smaller);
+      }
+    }
+    graph = std::move(smaller);
+    skeleton.ExtractBranches();
+  }
+
+  const TriangleMesh& Mesh;
+  const std::vector<double>& MSP;
+  std::vector<double> Area;
+  double FinestArea;
+};
+
+/// How many of the removals to make: up to the widest gap between the significances so far and the
+/// next one, measured inside the window.
+int WidestGap(const std::vector<double>& significances)
+{
+  double reached = 0.0;
+  double widest = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k <= significances.size(); ++k)
+  {
+    const double next = k < significances.size() ? std::max(reached, significances[k]) : Window;
+    const double low = std::clamp(reached, 1.0 / Window, Window);
+    const double high = std::clamp(next, 1.0 / Window, Window);
+    if (high / low > widest)
+    {
+      widest = high / low;
+      count = static_cast<int>(k);
+    }
+    reached = next;
+  }
+  return count;
+}
+}
+
+void PruneSpurs(Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<double>& msp,
+  double finestArea)
+{
+  const Pruner pruner(mesh, msp, finestArea);
+  Skeleton trial = skeleton;
+  const int count = WidestGap(pruner.Remove(trial, Pruner::AsManyAsPossible));
+  pruner.Remove(skeleton, count);
+}
+}
