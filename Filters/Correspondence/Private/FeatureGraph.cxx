@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeatureGraph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace marrow
+{
+namespace
+{
+Branch Reversed(const Branch& branch)
+{
+  Branch result = branch;
+  std::reverse(result.Nodes.begin(), result.Nodes.end());
+  const double length = branch.Length();
+  for (std::size_t i = 0; i < branch.ArcLength.size(); ++i)
+  {
+    result.ArcLength[i] = length - branch.ArcLength[branch.ArcLength.size() - 1 - i];
+  }
+  return result;
+}
+
+auto NodeKey(const SkeletonNode& node)
+{
+  const Eigen::Vector3d& p = node.Position;
+  return std::make_tuple(node.AGD, node.MSP, node.Radius, p.x(), p.y(), p.z());
+}
+
+Eigen::Vector3d PointOf(const SkeletonGraph& graph, const Branch& path, double arc)
+{
+  const auto after = std::lower_bound(path.ArcLength.begin(), path.ArcLength.end(), arc);
+  const std::size_t i =
+    std::clamp<std::size_t>(after - path.ArcLength.begin(), 1, path.ArcLength.size() - 1);
+  const double step = path.ArcLength[i] - path.ArcLength[i - 1];
+  const double t = step > 0.0 ? std::clamp((arc - path.ArcLength[i - 1]) / step, 0.0, 1.0) : 0.0;
+  return (1.0 - t) * graph[path.Nodes[i - 1]].Position + t * graph[path.Nodes[i]].Position;
+}
+}
+
+bool FeatureGroup::Contains(int feature) const
+{
+  return std::binary_search(this->Features.begin(), this->Features.end(), feature);
+}
+
+FeatureGraph::FeatureGraph(const Skeleton& skeleton, int pieces)
+  : Bones(skeleton)
+  , Diagonal(skeleton.MeshDiagonal)
+{
+  this->Branches.resize(skeleton.NumberOfBranches());
+  for (int b = 0; b < skeleton.NumberOfBranches(); ++b)
+  {
+    OrientedBranch& branch = this->Branches[b];
+    branch.Source = b;
+    branch.Path = skeleton.Branches[b];
+    // The inner neighbours of the ends tell the two directions of a loop apart.
+    const auto& nodes = branch.Path.Nodes;
+    const auto key = [&](int end, int next)
+    { return std::make_tuple(NodeKey(skeleton.Graph[end]), NodeKey(skeleton.Graph[next])); };
+    branch.Flipped = key(nodes.back(), nodes[nodes.size() - 2]) < key(nodes.front(), nodes[1]);
+    if (branch.Flipped)
+    {
+      branch.Path = Reversed(branch.Path);
+    }
+    this->Total += branch.Path.Length();
+  }
+  std::sort(this->Branches.begin(), this->Branches.end(),
+    [&](const OrientedBranch& a, const OrientedBranch& b)
+    {
+      const auto key = [&](const OrientedBranch& branch)
+      {
+        const auto& nodes = branch.Path.Nodes;
+        return std::make_tuple(NodeKey(skeleton.Graph[nodes.front()]),
+          NodeKey(skeleton.Graph[nodes.back()]), NodeKey(skeleton.Graph[nodes[1]]), branch.Source);
+      };
+      return key(a) < key(b);
+    });
+  this->AddFeatures();
+  this->FindComponents();
+  this->Descriptors.resize(2 * this->Branches.size());
+  for (int dart = 0; dart < 2 * this->NumberOfBranches(); ++dart)
+  {
+    this->Descriptors[dart] = this->Profile({ dart }, Measure::MSP, pieces);
+  }
+}
+
+void FeatureGraph::AddFeatures()
+{
+  std::map<decltype(std::make_tuple(NodeKey(SkeletonNode()), 0)), int> order;
+  for (const OrientedBranch& branch : this->Branches)
+  {
+    for (int node : { branch.Path.Front(), branch.Path.Back() })
+    {
+      order[std::make_tuple(NodeKey(this->Bones.Graph[node]), node)] = node;
+    }
+  }
+  std::map<int, int> featureOfNode;
+  for (const auto& entry : order)
+  {
+    const SkeletonNode& node = this->Bones.Graph[entry.second];
+    Feature feature;
+    feature.Node = entry.second;
+    feature.AGD = node.AGD;
+    feature.MSP = this->Value(entry.second, Measure::MSP);
+    feature.Position = node.Position;
+    feature.Radius = node.Radius;
+    featureOfNode[feature.Node] = this->NumberOfFeatures();
+    this->Features.push_back(feature);
+  }
+  this->FeatureOfDart.resize(2 * this->Branches.size());
+  for (int b = 0; b < this->NumberOfBranches(); ++b)
+  {
+    this->FeatureOfDart[2 * b] = featureOfNode[this->Branches[b].Path.Front()];
+    this->FeatureOfDart[2 * b + 1] = featureOfNode[this->Branches[b].Path.Back()];
+    this->Features[this->FeatureOfDart[2 * b]].Darts.push_back(2 * b);
+    this->Features[this->FeatureOfDart[2 * b + 1]].Darts.push_back(2 * b + 1);
+  }
+}
+
+void FeatureGraph::FindComponents()
+{
+  std::vector<std::pair<double, int>> lengths;
+  for (int start = 0; start < this->NumberOfFeatures(); ++start)
+  {
+    if (this->Features[start].Component >= 0)
+    {
+      continue;
+    }
+    const int component = static_cast<int>(lengths.size());
+    double length = 0.0;
+    std::vector<int> open{ start };
+    this->Features[start].Component = component;
+    while (!open.empty())
+    {
+      const int feature = open.back();
+      open.pop_back();
+      for (int dart : this->Features[feature].Darts)
+      {
+        length += 0.5 * this->Length(dart / 2);
+        Feature& head = this->Features[this->Head(dart)];
+        if (head.Component < 0)
+        {
+          head.Component = component;
+          open.push_back(this->Head(dart));
+        }
+      }
+    }
+    lengths.emplace_back(-length, component);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  std::vector<int> rank(lengths.size());
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+  {
+    rank[lengths[i].second] = static_cast<int>(i);
+    this->ComponentLengths.push_back(-lengths[i].first);
+  }
+  for (Feature& feature : this->Features)
+  {
+    feature.Component = rank[feature.Component];
+  }
+}
+
+double FeatureGraph::Value(int node, Measure measure) const
+{
+  const SkeletonNode& n = this->Bones.Graph[node];
+  switch (measure)
+  {
+    case Measure::AGD:
+      return n.AGD;
+    case Measure::Radius:
+      return this->Diagonal > 0.0 ? n.Radius / this->Diagonal : 0.0;
+    default:
+      return this->Bones.MeshMaximumMSP > 0.0 ? n.MSP / this->Bones.MeshMaximumMSP : 0.0;
+  }
+}
+
+double FeatureGraph::Length(const std::vector<int>& darts) const
+{
+  return std::accumulate(darts.begin(), darts.end(), 0.0,
+    [&](double sum, int dart) { return sum + this->Length(dart / 2); });
+}
+
+std::vector<int> FeatureGraph::OpenDarts(const FeatureGroup& group) const
+{
+  std::vector<int> result;
+  for (int feature : group.Features)
+  {
+    for (int dart : this->Features[feature].Darts)
+    {
+      if (!std::binary_search(group.Inside.begin(), group.Inside.end(), dart / 2))
+      {
+        result.push_back(dart);
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<double> FeatureGraph::SubSkeletonSizes(
+  const FeatureGroup& group, const std::vector<int>& openDarts) const
+{
+  // Part of every feature outside the group: what hangs together without it.
+  std::vector<int> part(this->Features.size(), -1);
+  std::vector<double> partLength;
+  std::vector<int> partDarts;
+  std::vector<int> partOfDart(openDarts.size(), -1);
+  for (std::size_t i = 0; i < openDarts.size(); ++i)
+  {
+    const int first = this->Head(openDarts[i]);
+    if (group.Contains(first))
+    {
+      continue;
+    }
+    if (part[first] < 0)
+    {
+      const int id = static_cast<int>(partLength.size());
+      partLength.push_back(0.0);
+      partDarts.push_back(0);
+      part[first] = id;
+      std::vector<int> open{ first };
+      while (!open.empty())
+      {
+        const int feature = open.back();
+        open.pop_back();
+        for (int dart : this->Features[feature].Darts)
+        {
+          const int head = this->Head(dart);
+          const bool toGroup = group.Contains(head);
+          // A branch between two features of the part is met from both of them.
+          partLength[id] += (toGroup ? 1.0 : 0.5) * this->Length(dart / 2);
+          if (!toGroup && part[head] < 0)
+          {
+            part[head] = id;
+            open.push_back(head);
+          }
+        }
+      }
+    }
+    partOfDart[i] = part[first];
+    ++partDarts[part[first]];
+  }
+  std::vector<double> sizes(openDarts.size());
+  for (std::size_t i = 0; i < openDarts.size(); ++i)
+  {
+    const int p = partOfDart[i];
+    sizes[i] = p < 0 ? 0.5 * this->Length(openDarts[i] / 2) : partLength[p] / partDarts[p];
+  }
+  return sizes;
+}
+
+Eigen::Vector3d FeatureGraph::Direction(const FeatureGroup& group, int dart) const
+{
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (int feature : group.Features)
+  {
+    center += this->Features[feature].Position;
+  }
+  center /= static_cast<double>(group.Features.size());
+  double radius = 0.0;
+  for (int feature : group.Features)
+  {
+    const Feature& f = this->Features[feature];
+    radius = std::max(radius, f.Radius + (f.Position - center).norm());
+  }
+  const Branch path = this->Concatenate({ dart });
+  // The branch leaves the ball on its first edge with an end outside; a branch that never does
+  // counts as a whole.
+  Eigen::Vector3d exit = this->Bones.Graph[path.Back()].Position;
+  for (std::size_t i = 1; i < path.Nodes.size(); ++i)
+  {
+    const Eigen::Vector3d& a = this->Bones.Graph[path.Nodes[i - 1]].Position;
+    const Eigen::Vector3d& b = this->Bones.Graph[path.Nodes[i]].Position;
+    if ((b - center).norm() > radius)
+    {
+      const double da = std::min((a - center).norm(), radius);
+      const double db = (b - center).norm();
+      exit = a + (b - a) * (db > da ? (radius - da) / (db - da) : 1.0);
+      break;
+    }
+  }
+  const Eigen::Vector3d direction = exit - center;
+  const double norm = direction.norm();
+  return norm > 0.0 ? Eigen::Vector3d(direction / norm) : Eigen::Vector3d::Zero();
+}
+
+double FeatureGraph::AGD(const FeatureGroup& group) const
+{
+  double sum = 0.0;
+  for (int feature : group.Features)
+  {
+    sum += this->Features[feature].AGD;
+  }
+  return sum / static_cast<double>(group.Features.size());
+}
+
+Branch FeatureGraph::Concatenate(const std::vector<int>& darts) const
+{
+  Branch result;
+  for (int dart : darts)
+  {
+    const Branch& path = this->Branches[dart / 2].Path;
+    const Branch part = dart % 2 == 1 ? Reversed(path) : path;
+    const double offset = result.Nodes.empty() ? 0.0 : result.Length();
+    for (std::size_t i = result.Nodes.empty() ? 0 : 1; i < part.Nodes.size(); ++i)
+    {
+      result.Nodes.push_back(part.Nodes[i]);
+      result.ArcLength.push_back(offset + part.ArcLength[i]);
+    }
+  }
+  return result;
+}
+
+std::vector<double> FeatureGraph::Profile(
+  const std::vector<int>& darts, Measure measure, int pieces) const
+{
+  const Branch path = this->Concatenate(darts);
+  const double piece = path.Length() / pieces;
+  std::vector<double> result(pieces, 0.0);
+  if (!(piece > 0.0))
+  {
+    std::fill(result.begin(), result.end(), this->Value(path.Front(), measure));
+    return result;
+  }
+  for (std::size_t i = 1; i < path.Nodes.size(); ++i)
+  {
+    const double begin = path.ArcLength[i - 1];
+    const double end = path.ArcLength[i];
+    const double a = this->Value(path.Nodes[i - 1], measure);
+    const double b = this->Value(path.Nodes[i], measure);
+    for (int k = std::max(0, static_cast<int>(begin / piece) - 1); k < pieces; ++k)
+    {
+      const double from = std::max(begin, k * piece);
+      const double to = std::min(end, (k + 1) * piece);
+      if (from >= end)
+      {
+        break;
+      }
+      if (to > from)
+      {
+        // The integral of a linear function is its middle value times the width.
+        const double middle = (0.5 * (from + to) - begin) / (end - begin);
+        result[k] += ((1.0 - middle) * a + middle * b) * (to - from) / piece;
+      }
+    }
+  }
+  return result;
+}
+
+Eigen::Vector3d FeatureGraph::PointAt(const std::vector<int>& darts, double fraction) const
+{
+  const Branch path = this->Concatenate(darts);
+  return PointOf(this->Bones.Graph, path, fraction * path.Length());
+}
+
+double ProfileDistance(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return a.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(a.size()));
+}
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_SkeletonMatching_h
+#define marrow_SkeletonMatching_h
+
+#include "CorrespondenceTree.h"
+#include "LeafSelection.h"
+
+#include <vector>
+
+namespace marrow
+{
+struct MatchingParameters
+{
+  TreeParameters Tree;
+  int DescriptorPieces = 8;
+  bool GlobalSelection = true;
+};
+
+/// A leaf in the numbers of the skeletons. The vectors of one side: per node and per branch.
+struct SkeletonMatch
+{
+  struct Side
+  {
+    std::vector<int> NodeId;      ///< -1 if unmatched
+    std::vector<int> BranchId;    ///< -1 if unmatched
+    std::vector<int> BranchOrder; ///< place in the chain, -1 if unmatched
+    std::vector<unsigned char> BranchReversed;
+  };
+  Side Source;
+  Side Target;
+  int JunctionPairs = 0;
+  int TerminalPairs = 0;
+  int BranchPairs = 0;
+  int Merges = 0;
+  double Cost = 0.0; ///< what the leaves are sorted by
+  double PaperCost = 0.0;
+  double SourceCoverage = 0.0;
+  double TargetCoverage = 0.0;
+};
+
+struct SkeletonMatching
+{
+  std::vector<SkeletonMatch> Leaves; ///< the best first; at least one, which may match nothing
+  TreeStatistics Statistics;
+  /// How sure the leaves are that the first one is right, in [0,1].
+  double Confidence = 0.0;
+};
+
+/// Matches two skeletons with at least one branch each. False if `progress` asked to stop.
+bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
+  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SkeletonShapes.h"
+
+#include "ErrorObserver.h"
+#include "vtkSkeletonCorrespondence.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkTable.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+using namespace marrow::test;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+struct Matched
+{
+  Matched(const SkeletonShape& source, const SkeletonShape& target, unsigned seed = 0, int leaf = 0,
+    bool global = true)
+    : SourceShape(source)
+    , TargetShape(target)
+  {
+    this->Filter->SetInputData(0, source.BuildPolyData(seed));
+    this->Filter->SetInputData(1, target.BuildPolyData(seed == 0 ? 0 : seed + 1));
+    this->Filter->SetLeafIndex(leaf);
+    this->Filter->SetGlobalSelection(global);
+    this->Filter->Update();
+  }
+  vtkPolyData* Output(int side) const
+  {
+    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(side));
+  }
+  vtkTable* Table() const { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(2)); }
+  int NodeId(int side, const std::string& name) const
+  {
+    vtkPolyData* data = this->Output(side);
+    const SkeletonShape& shape = side == 0 ? this->SourceShape : this->TargetShape;
+    return static_cast<int>(
+      data->GetPointData()->GetArray("CorrespondenceId")->GetTuple1(shape.Find(data, name)));
+  }
+  /// The cell that has both points on it.
+  vtkIdType Cell(int side, const std::string& a, const std::string& b) const
+  {
+    vtkPolyData* data = this->Output(side);
+    const SkeletonShape& shape = side == 0 ? this->SourceShape : this->TargetShape;
+    for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+    {
+      vtkIdList* ids = data->GetCell(c)->GetPointIds();
+      if (ids->IsId(shape.Find(data, a)) >= 0 && ids->IsId(shape.Find(data, b)) >= 0)
+      {
+        return c;
+      }
+    }
+    return -1;
+  }
+  int CellValue(int side, const char* array, const std::string& a, const std::string& b) const
+  {
+    const vtkIdType cell = this->Cell(side, a, b);
+    return cell < 0
+      ? -99
+      : static_cast<int>(this->Output(side)->GetCellData()->GetArray(array)->GetTuple1(cell));
+  }
+  int BranchId(int side, const std::string& a, const std::string& b) const
+  {
+    return this->CellValue(side, "BranchCorrespondenceId", a, b);
+  }
+  double Field(const char* name) const
+  {
+    vtkDataArray* array = this->Output(0)->GetFieldData()->GetArray(name);
+    return array ? array->GetTuple1(0) : -99.0;
+  }
+  void ExpectSame(const std::vector<std::string>& names) const
+  {
+    for (const std::string& name : names)
+    {
+      EXPECT_GE(this->NodeId(0, name), 0) << name;
+      EXPECT_EQ(this->NodeId(0, name), this->NodeId(1, name)) << name;
+    }
+  }
+
+  vtkNew<vtkSkeletonCorrespondence> Filter;
+  SkeletonShape SourceShape;
+  SkeletonShape TargetShape;
+};
+
+/// The point where a matched chain begins or ends on one side, by walking its polylines as the
+/// arrays say.
+vtkIdType ChainEnd(const Matched& matched, int side, int id, bool last)
+{
+  vtkPolyData* data = matched.Output(side);
+  vtkIdType result = -1;
+  int best = -1;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+  {
+    const auto value = [&](const char* name)
+    { return static_cast<int>(data->GetCellData()->GetArray(name)->GetTuple1(c)); };
+    const int order = value("BranchCorrespondenceOrder");
+    if (value("BranchCorrespondenceId") != id || (last ? order < best : order != 0))
+    {
+      continue;
+    }
+    best = order;
+    vtkIdList* ids = data->GetCell(c)->GetPointIds();
+    const bool reversed = value("BranchCorrespondenceReversed") != 0;
+    result = ids->GetId(last != reversed ? ids->GetNumberOfIds() - 1 : 0);
+  }
+  return result;
+}
+}
+
+TEST(SkeletonCorrespondence, MatchesASkeletonWithItself)
+{
+  const Matched matched(MakeQuadruped(), MakeQuadruped());
+  matched.ExpectSame(QuadrupedTerminals());
+  matched.ExpectSame({ "chest", "hip" });
+  EXPECT_EQ(matched.BranchId(0, "hip", "chest"), matched.BranchId(1, "hip", "chest"));
+  EXPECT_GE(matched.BranchId(0, "hip", "chest"), 0);
+  // Regular nodes have no partner.
+  EXPECT_EQ(-1, matched.NodeId(0, "neck"));
+  EXPECT_GT(matched.Field("CorrespondenceConfidence"), 0.5);
+}
+
+TEST(SkeletonCorrespondence, IgnoresRotationAndScale)
+{
+  SkeletonShape target = MakeQuadruped();
+  target.Transform(
+    7.5 * Eigen::AngleAxisd(2.1, Eigen::Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix());
+  const Matched matched(MakeQuadruped(), target);
+  matched.ExpectSame(QuadrupedTerminals());
+}
+
+TEST(SkeletonCorrespondence, TurnsLeftToRightInAMirrorImage)
+{
+  SkeletonShape target = MakeQuadruped();
+  target.Transform(Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal());
+  const Matched matched(MakeQuadruped(), target);
+  matched.ExpectSame({ "head", "tail" });
+  EXPECT_EQ(matched.NodeId(0, "fore left"), matched.NodeId(1, "fore right"));
+  EXPECT_EQ(matched.NodeId(0, "hind right"), matched.NodeId(1, "hind left"));
+}
+
+TEST(SkeletonCorrespondence, FollowsPoseAndProportion)
+{
+  SkeletonShape target = MakeQuadruped();
+  target.Move("fore left", 0.35, 0.1, 0.05);
+  target.Move("fore knee left", 0.2, 0.0, 0.05);
+  target.Move("hind right", -0.35, 0.1, 0.0);
+  target.Move("head", -0.1, -0.9, 0.3);
+  target.Move("neck", 0.1, -0.4, 0.1);
+  target.Move("tail", 0.1, 0.7, -0.2);
+  const Matched matched(MakeQuadruped(), target);
+  matched.ExpectSame(QuadrupedTerminals());
+}
+
+TEST(SkeletonCorrespondence, MergesASplitJunction)
+{
+  SkeletonShape target = MakeQuadruped();
+  SkeletonShape split;
+  split.Point("chest", 1.05, 1.0, 0.0, 0.24);
+  split.Point("chest b", 0.95, 1.0, 0.0, 0.24);
+  for (const char* name : { "hip", "neck", "head", "tailbase", "tail" })
+  {
+    const vtkSmartPointer<vtkPolyData> data = target.BuildPolyData();
+    double p[3];
+    data->GetPoint(target.Find(data, name), p);
+    const double r = data->GetPointData()->GetArray("Radius")->GetTuple1(target.Find(data, name));
+    split.Point(name, p[0], p[1], p[2], r);
+  }
+  for (const char* side : { "left", "right" })
+  {
+    const std::string s(side);
+    const double z = s == "left" ? 0.25 : -0.25;
+    split.Point("fore knee " + s, 1.05, 0.5, z, 0.09);
+    split.Point("fore " + s, 1.0, 0.0, z, 0.06);
+    split.Point("hind knee " + s, -0.1, 0.5, 1.1 * z, 0.11);
+    split.Point("hind " + s, -0.15, -0.1, 1.1 * z, 0.07);
+    split.Line({ s == "left" ? "chest" : "chest b", "fore knee " + s, "fore " + s });
+    split.Line({ "hip", "hind knee " + s, "hind " + s });
+  }
+  split.Line({ "hip", "chest b", "chest" });
+  split.Line({ "chest", "neck", "head" });
+  split.Line({ "hip", "tailbase", "tail" });
+
+  for (const bool splitSource : { false, true })
+  {
+    const Matched matched(splitSource ? split : target, splitSource ? target : split);
+    matched.ExpectSame(QuadrupedTerminals());
+    matched.ExpectSame({ "chest", "hip" });
+    const int side = splitSource ? 0 : 1;
+    EXPECT_EQ(matched.NodeId(side, "chest"), matched.NodeId(side, "chest b"));
+    EXPECT_EQ(-1, matched.BranchId(side, "chest b", "chest"));
+    EXPECT_GT(matched.Table()->GetValueByName(0, "Merges").ToInt(), 0);
+  }
+}
+
+TEST(SkeletonCorrespondence, MergesBranchesAtASpur)
+{
+  SkeletonShape target = MakeQuadruped();
+  // A spur half-way down the neck and one on the belly.
+  target.Point("spur", 1.45, 1.25, 0.05, 0.08);
+  target.Line({ "neck", "spur" });
+  const Matched matched(MakeQuadruped(), target);
+  matched.ExpectSame(QuadrupedTerminals());
+  EXPECT_EQ(-1, matched.NodeId(1, "spur"));
+  EXPECT_EQ(-1, matched.NodeId(1, "neck"));
+  const int id = matched.BranchId(0, "chest", "head");
+  EXPECT_GE(id, 0);
+  EXPECT_EQ(id, matched.BranchId(1, "chest", "neck"));
+  EXPECT_EQ(id, matched.BranchId(1, "neck", "head"));
+  EXPECT_EQ(-1, matched.BranchId(1, "neck", "spur"));
+  // Both chains run between the same ids.
+  for (const bool last : { false, true })
+  {
+    const auto endId = [&](int side)
+    {
+      return matched.Output(side)
+        ->GetPointData()
+        ->GetArray("CorrespondenceId")
+        ->GetTuple1(ChainEnd(matched, side, id, last));
+    };
+    EXPECT_GE(endId(0), 0.0);
+    EXPECT_EQ(endId(0), endId(1));
+  }
+  EXPECT_EQ(1,
+    std::abs(matched.CellValue(1, "BranchCorrespondenceOrder", "chest", "neck") -
+      matched.CellValue(1, "BranchCorrespondenceOrder", "neck", "head")));
+}
+
+TEST(SkeletonCorrespondence, LeavesAnEarWithoutPartner)
+{
+  SkeletonShape target = MakeQuadruped();
+  for (const auto& [name, z] : { std::pair{ "ear left", 0.12 }, std::pair{ "ear right", -0.12 } })
+  {
+    target.Point(name, 1.5, 1.75, z, 0.03);
+    target.Line({ "neck", name });
+  }
+  const Matched matched(MakeQuadruped(), target);
+  matched.ExpectSame(QuadrupedTerminals());
+  EXPECT_EQ(-1, matched.NodeId(1, "ear left"));
+  EXPECT_EQ(-1, matched.NodeId(1, "ear right"));
+}
+
+TEST(SkeletonCorrespondence, MatchesChairsWithALoop)
+{
+  SkeletonShape target = MakeChair();
+  target.Transform(Eigen::Vector3d(0.8, 1.3, 0.9).asDiagonal());
+  const Matched matched(MakeChair(), target);
+  matched.ExpectSame({ "seat", "front left", "front right", "back left", "back right" });
+  const int id = matched.BranchId(0, "rail left", "rail right");
+  EXPECT_GE(id, 0);
+  EXPECT_EQ(id, matched.BranchId(1, "rail left", "rail right"));
+  // The loops run the same way round.
+  const auto walksFromLeft = [&](int side)
+  {
+    vtkPolyData* data = matched.Output(side);
+    vtkIdList* ids = data->GetCell(matched.Cell(side, "rail left", "rail right"))->GetPointIds();
+    const bool leftFirst =
+      ids->IsId((side == 0 ? matched.SourceShape : matched.TargetShape).Find(data, "rail left")) <
+      ids->IsId((side == 0 ? matched.SourceShape : matched.TargetShape).Find(data, "rail right"));
+    const bool reversed =
+      matched.CellValue(side, "BranchCorrespondenceReversed", "rail left", "rail right") != 0;
+    return leftFirst != reversed;
+  };
+  EXPECT_EQ(walksFromLeft(0), walksFromLeft(1));
+}
+
+TEST(SkeletonCorrespondence, MatchesRings)
+{
+  SkeletonShape target = MakeRing();
+  target.Transform(Eigen::Vector3d(2.0, 1.8, 2.0).asDiagonal());
+  const Matched matched(MakeRing(), target);
+  EXPECT_EQ(0, matched.BranchId(0, "ring a", "ring b"));
+  EXPECT_EQ(0, matched.BranchId(1, "ring a", "ring b"));
+}
+
+TEST(SkeletonCorrespondence, MatchesSnakesHeadToHead)
+{
+  for (unsigned seed = 1; seed < 6; ++seed)
+  {
+    const Matched matched(MakeSnake(0.3), MakeSnake(1.0), seed);
+    matched.ExpectSame({ "head", "tail" });
+    EXPECT_EQ(0, matched.BranchId(0, "head", "tail"));
+    EXPECT_EQ(0, matched.BranchId(1, "head", "tail"));
+    EXPECT_EQ(2, matched.Table()->GetNumberOfRows());
+  }
+}
+
+TEST(SkeletonCorrespondence, MatchesASnakeWithTheLongPathOfATree)
+{
+  const Matched matched(MakeSnake(0.3), MakeQuadruped());
+  EXPECT_GE(matched.NodeId(0, "head"), 0);
+  EXPECT_GE(matched.NodeId(0, "tail"), 0);
+  EXPECT_EQ(1, matched.Table()->GetValueByName(0, "BranchPairs").ToInt());
+}
+
+TEST(SkeletonCorrespondence, MatchesComponentsByWhatTheyAre)
+{
+  SkeletonShape both = MakeQuadruped();
+  both.Point("stick top", 4.0, 1.0, 0.0, 0.1);
+  both.Point("stick end", 4.0, 0.0, 0.0, 0.05);
+  both.Line({ "stick top", "stick end" });
+  SkeletonShape target = both;
+  target.Transform(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()).toRotationMatrix());
+  const Matched matched(both, target);
+  matched.ExpectSame(QuadrupedTerminals());
+  matched.ExpectSame({ "stick top", "stick end" });
+}
+
+TEST(SkeletonCorrespondence, StaysFastWithManyAlikeArms)
+{
+  SkeletonShape target = MakeStar(8);
+  target.Transform(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()).toRotationMatrix());
+  const auto begin = std::chrono::steady_clock::now();
+  const Matched matched(MakeStar(8), target);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(time.count(), 1.0);
+  matched.ExpectSame({ "head" });
+  // Any rotation of the arms is fair, but never a reflection: neighbours follow one another.
+  std::vector<int> targetArm(8, -1);
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int j = 0; j < 8; ++j)
+    {
+      if (matched.NodeId(0, "arm " + std::to_string(i)) ==
+        matched.NodeId(1, "arm " + std::to_string(j)))
+      {
+        targetArm[i] = j;
+      }
+    }
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    EXPECT_EQ((targetArm[i] + 1) % 8, targetArm[(i + 1) % 8]);
+  }
+}
+
+TEST(SkeletonCorrespondence, DoesNotDependOnTheNumberingOfNodes)
+{
+  SkeletonShape target = MakeQuadruped();
+  target.Point("spur", 1.45, 1.25, 0.05, 0.08);
+  target.Line({ "neck", "spur" });
+  target.Move("tail", 0.1, 0.7, -0.2);
+  const Matched reference(MakeQuadruped(), target);
+  for (unsigned seed = 1; seed < 6; ++seed)
+  {
+    const Matched matched(MakeQuadruped(), target, seed);
+    for (const std::string& name : QuadrupedTerminals())
+    {
+      for (const std::string& other : QuadrupedTerminals())
+      {
+        EXPECT_EQ(reference.NodeId(0, name) == reference.NodeId(1, other),
+          matched.NodeId(0, name) == matched.NodeId(1, other))
+          << name << " and " << other;
+      }
+    }
+    const double cost = reference.Table()->GetValueByName(0, "Cost").ToDouble();
+    EXPECT_NEAR(cost, matched.Table()->GetValueByName(0, "Cost").ToDouble(), 1e-9 * std::abs(cost));
+  }
+}
+
+TEST(SkeletonCorrespondence, ReportsTheTreeAndItsLeaves)
+{
+  const Matched matched(MakeQuadruped(), MakeQuadruped());
+  const double leaves = matched.Field("CorrespondenceLeaves");
+  EXPECT_GE(leaves, 2.0);
+  EXPECT_EQ(leaves, matched.Table()->GetNumberOfRows());
+  EXPECT_GT(matched.Field("CorrespondenceTreeNodes"), leaves);
+  EXPECT_GE(matched.Field("CorrespondenceTreeHeight"), 3.0);
+  EXPECT_GE(matched.Field("CorrespondenceCorePairs"), 1.0);
+  EXPECT_GE(matched.Field("CorrespondenceMerges"), 0.0);
+  EXPECT_GE(matched.Field("CorrespondenceClusters"), 2.0);
+  for (vtkIdType row = 1; row < matched.Table()->GetNumberOfRows(); ++row)
+  {
+    EXPECT_LE(matched.Table()->GetValueByName(row - 1, "Cost").ToDouble(),
+      matched.Table()->GetValueByName(row, "Cost").ToDouble());
+  }
+  EXPECT_EQ(2, matched.Table()->GetValueByName(0, "JunctionPairs").ToInt());
+  EXPECT_EQ(6, matched.Table()->GetValueByName(0, "TerminalPairs").ToInt());
+  EXPECT_EQ(7, matched.Table()->GetValueByName(0, "BranchPairs").ToInt());
+  EXPECT_NEAR(1.0, matched.Table()->GetValueByName(0, "SourceCoverage").ToDouble(), 1e-12);
+
+  // Some other leaf tells another story of the terminals.
+  bool differs = false;
+  for (int leaf = 1; leaf < leaves; ++leaf)
+  {
+    const Matched other(MakeQuadruped(), MakeQuadruped(), 0, leaf);
+    for (const std::string& name : QuadrupedTerminals())
+    {
+      differs = differs || other.NodeId(0, name) != other.NodeId(1, name);
+    }
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(SkeletonCorrespondence, KeepsTheInputsArrays)
+{
+  const vtkSmartPointer<vtkPolyData> source = MakeQuadruped().BuildPolyData();
+  vtkNew<vtkDoubleArray> mine;
+  mine->SetName("Mine");
+  mine->SetNumberOfTuples(source->GetNumberOfPoints());
+  mine->Fill(3.0);
+  source->GetPointData()->AddArray(mine);
+  vtkNew<vtkSkeletonCorrespondence> filter;
+  filter->SetInputData(0, source);
+  filter->SetInputData(1, MakeQuadruped().BuildPolyData());
+  filter->Update();
+  auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  for (const char* name : { "Mine", "AGD", "MSP", "Radius", "NodeType", "VertexCount" })
+  {
+    EXPECT_TRUE(output->GetPointData()->HasArray(name)) << name;
+  }
+  EXPECT_TRUE(output->GetFieldData()->HasArray("MeshDiagonal"));
+  EXPECT_FALSE(source->GetPointData()->HasArray("CorrespondenceId"));
+  EXPECT_FALSE(source->GetFieldData()->HasArray("CorrespondenceLeaves"));
+}
+
+TEST(SkeletonCorrespondence, SaysWhatIsWrong)
+{
+  const auto errorOf = [](vtkPolyData* source, vtkPolyData* target, int leaf = 0)
+  {
+    vtkNew<vtkSkeletonCorrespondence> filter;
+    filter->SetInputData(0, source);
+    filter->SetInputData(1, target);
+    filter->SetLeafIndex(leaf);
+    ErrorObserver errors(filter);
+    filter->Update();
+    return errors.Text();
+  };
+  const vtkSmartPointer<vtkPolyData> good = MakeQuadruped().BuildPolyData();
+  vtkNew<vtkPolyData> empty;
+  EXPECT_NE(errorOf(empty, good).find("Source: The skeleton is empty"), std::string::npos);
+  EXPECT_NE(errorOf(good, empty).find("Target: The skeleton is empty"), std::string::npos);
+  const vtkSmartPointer<vtkPolyData> bare = MakeQuadruped().BuildPolyData();
+  bare->GetPointData()->RemoveArray("AGD");
+  EXPECT_NE(errorOf(good, bare).find("no point array \"AGD\""), std::string::npos);
+  EXPECT_NE(
+    errorOf(good, good, 100000).find("LeafIndex is 100000 but there are only"), std::string::npos);
+  EXPECT_EQ("", errorOf(good, good));
+}
