@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The marrow command as a user meets it: files in, files out, exit codes and what it says.
+#include <vtkCellData.h>
+#include <vtkCreatureSource.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPLYWriter.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkImageData.h>
+#include <vtkSTLWriter.h>
+#include <vtkSegmentWriter.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+struct Outcome
+{
+  int ExitCode;
+  std::string Out;
+  std::string Error;
+};
+
+std::string Content(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+/// Every test works in a folder of its own, so that tests may run at the same time.
+class MarrowCommand : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    this->Folder = fs::path(MARROW_TEST_OUTPUT) / test->name();
+    fs::remove_all(this->Folder);
+    fs::create_directories(this->Folder);
+  }
+
+  Outcome Run(const std::string& arguments) const
+  {
+    const std::string command = "cd '" + this->Folder.string() + "' && '" MARROW_COMMAND "' " +
+      arguments + " >stdout.txt 2>stderr.txt";
+    const int status = std::system(command.c_str());
+    return { WIFEXITED(status) ? WEXITSTATUS(status) : -1, Content(this->Folder / "stdout.txt"),
+      Content(this->Folder / "stderr.txt") };
+  }
+
+  void ExpectSuccess(const std::string& arguments) const
+  {
+    const Outcome outcome = this->Run(arguments);
+    EXPECT_EQ(outcome.ExitCode, 0) << arguments;
+    EXPECT_EQ(outcome.Error, "") << arguments;
+  }
+
+  /// An error is one line on stderr that begins with the program's name and tells what is wrong.
+  void ExpectError(const std::string& arguments, const std::string& part) const
+  {
+    const Outcome outcome = this->Run(arguments);
+    EXPECT_GT(outcome.ExitCode, 0) << arguments;
+    EXPECT_EQ(std::count(outcome.Error.begin(), outcome.Error.end(), '\n'), 1) << outcome.Error;
+    EXPECT_EQ(outcome.Error.rfind("marrow: ", 0), 0u) << outcome.Error;
+    EXPECT_NE(outcome.Error.find(part), std::string::npos)
+      << "'" << part << "' expected in: " << outcome.Error;
+  }
+
+  static vtkSmartPointer<vtkPolyData> Creature(int seed, int resolution = 2500)
+  {
+    vtkNew<vtkCreatureSource> creature;
+    creature->SetResolution(resolution);
+    creature->SetSeed(seed);
+    creature->SetPose(seed == 1 ? 0.0 : 0.3);
+    creature->Update();
+    return creature->GetOutput();
+  }
+
+  template <typename Writer>
+  void Write(vtkPolyData* mesh, const std::string& name) const
+  {
+    vtkNew<Writer> writer;
+    writer->SetInputData(mesh);
+    writer->SetFileName((this->Folder / name).c_str());
+    writer->Write();
+  }
+
+  void WriteOFF(vtkPolyData* mesh, const std::string& name) const
+  {
+    std::ofstream file(this->Folder / name);
+    file << "OFF\n" << mesh->GetNumberOfPoints() << " " << mesh->GetNumberOfCells() << " 0\n";
+    file.precision(9);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const double* p = mesh->GetPoint(i);
+      file << p[0] << " " << p[1] << " " << p[2] << "\n";
+    }
+    mesh->BuildCells();
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      mesh->GetCellPoints(cell, size, ids);
+      file << "3 " << ids[0] << " " << ids[1] << " " << ids[2] << "\n";
+    }
+  }
+
+  void WriteText(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(this->Folder / name) << text;
+  }
+
+  vtkSmartPointer<vtkPolyData> Read(const std::string& name) const
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName((this->Folder / name).c_str());
+    reader->Update();
+    return reader->GetOutput();
+  }
+
+  fs::path Folder;
+};
+}
+
+TEST_F(MarrowCommand, EverySubcommandHasHelpWithAnExample)
+{
+  for (const std::string command : { "measure", "skeleton", "correspond", "transfer", "render" })
+  {
+    const Outcome outcome = this->Run(command + " --help");
+    EXPECT_EQ(outcome.ExitCode, 0);
+    EXPECT_NE(outcome.Out.find("  marrow " + command + " "), std::string::npos) << outcome.Out;
+  }
+}
+
+TEST_F(MarrowCommand, MeasureReadsEveryFormatAndKeepsTheMesh)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
+  this->WriteOFF(mesh, "mesh.off");
+  this->Write<vtkPLYWriter>(mesh, "mesh.ply");
+  this->Write<vtkOBJWriter>(mesh, "mesh.obj");
+  this->Write<vtkSTLWriter>(mesh, "mesh.stl");
+  this->Write<vtkXMLPolyDataWriter>(mesh, "mesh.vtp");
+  this->Write<vtkPolyDataWriter>(mesh, "mesh.vtk");
+  for (const std::string extension : { "off", "ply", "obj", "stl", "vtp", "vtk" })
+  {
+    this->ExpectSuccess("measure mesh." + extension + " -o " + extension + "_out.vtp");
+    const vtkSmartPointer<vtkPolyData> result = this->Read(extension + "_out.vtp");
+    // STL files repeat every point for each of its triangles: merged, they are as many as before.
+    EXPECT_EQ(result->GetNumberOfPoints(), mesh->GetNumberOfPoints()) << extension;
+    EXPECT_EQ(result->GetNumberOfCells(), mesh->GetNumberOfCells()) << extension;
+    for (const char* name : { "AGD", "MSP", "MSPCenter", "MSPNormal", "MSPGradient", "MSPValid" })
+    {
+      EXPECT_TRUE(result->GetPointData()->HasArray(name)) << extension << " " << name;
+    }
+  }
+  // The arrays of the file are kept.
+  EXPECT_TRUE(this->Read("vtp_out.vtp")->GetCellData()->HasArray("SegmentId"));
+}
+
+TEST_F(MarrowCommand, SkeletonWritesTheSkeletonAndTheMesh)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
+  this->WriteOFF(mesh, "mesh.off");
+  this->ExpectSuccess("skeleton mesh.off -o skeleton.vtp --mesh mesh.vtp");
+  const vtkSmartPointer<vtkPolyData> skeleton = this->Read("skeleton.vtp");
+  EXPECT_GT(skeleton->GetNumberOfLines(), 0);
+  EXPECT_TRUE(skeleton->GetPointData()->HasArray("NodeType"));
+  vtkDataArray* nodes = this->Read("mesh.vtp")->GetPointData()->GetArray("SkeletonNodeId");
+  ASSERT_NE(nodes, nullptr);
+  EXPECT_EQ(nodes->GetRange()[1] + 1, skeleton->GetNumberOfPoints());
+}
+
+TEST_F(MarrowCommand, CorrespondWritesOneRowPerMatch)
+{
+  this->WriteOFF(Creature(1), "source.off");
+  this->WriteOFF(Creature(2), "target.off");
+  this->ExpectSuccess("correspond source.off target.off -o pairs.csv");
+  std::istringstream table(Content(this->Folder / "pairs.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "Kind,CorrespondenceId,Source,Target");
+  int nodes = 0;
+  int branches = 0;
+  while (std::getline(table, line))
+  {
+    nodes += line.rfind("node,", 0) == 0 ? 1 : 0;
+    branches += line.rfind("branch,", 0) == 0 ? 1 : 0;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 3) << line;
+    EXPECT_NE(line.back(), ',') << "a match without a partner: " << line;
+  }
+  // A quadruped's six extremities and their branches match, and at least one junction.
+  EXPECT_GE(nodes, 7);
+  EXPECT_GE(branches, 6);
+}
+
+TEST_F(MarrowCommand, TransferToOneTargetWritesAFile)
+{
+  this->WriteOFF(Creature(1), "source.off");
+  this->WriteOFF(Creature(2), "target.off");
+  this->Write<vtkSegmentWriter>(Creature(1), "source.seg");
+  this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.seg");
+  this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.vtp");
+  vtkDataArray* labels = this->Read("out.vtp")->GetCellData()->GetArray("SegmentId");
+  ASSERT_NE(labels, nullptr);
+  std::istringstream seg(Content(this->Folder / "out.seg"));
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    int label = -1;
+    ASSERT_TRUE(seg >> label) << "line " << i;
+    ASSERT_EQ(label, labels->GetTuple1(i)) << "face " << i;
+  }
+}
+
+TEST_F(MarrowCommand, TransferToSeveralTargetsFillsAFolder)
+{
+  // The labels come with the source's own array.
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "one.off");
+  this->WriteOFF(Creature(3), "two.off");
+  this->ExpectSuccess("transfer source.vtp one.off two.off -o labelled --skeletons");
+  for (const char* name : { "one.vtp", "two.vtp" })
+  {
+    EXPECT_TRUE(this->Read(std::string("labelled/") + name)->GetCellData()->HasArray("SegmentId"));
+  }
+  for (const char* name : { "source_skeleton.vtp", "one_skeleton.vtp", "two_skeleton.vtp" })
+  {
+    EXPECT_GT(this->Read(std::string("labelled/") + name)->GetNumberOfLines(), 0);
+  }
+  this->ExpectSuccess("transfer source.vtp one.off two.off -o labels --format seg");
+  EXPECT_TRUE(fs::exists(this->Folder / "labels/one.seg"));
+  EXPECT_TRUE(fs::exists(this->Folder / "labels/two.seg"));
+}
+
+TEST_F(MarrowCommand, ThreadsDoNotChangeTheResult)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "target.off");
+  this->ExpectSuccess("--threads 1 transfer source.vtp target.off -o one.seg");
+  this->ExpectSuccess("transfer source.vtp target.off -o two.seg --threads 2");
+  EXPECT_EQ(Content(this->Folder / "one.seg"), Content(this->Folder / "two.seg"));
+}
+
+TEST_F(MarrowCommand, RenderWritesAPictureOfTheTilesSize)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "one.vtp");
+  this->Write<vtkXMLPolyDataWriter>(Creature(2), "two.vtp");
+  this->ExpectSuccess("render one.vtp two.vtp two.vtp --columns 2 --tile 60 40 -o picture.png");
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((this->Folder / "picture.png").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], 120);
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[1], 80);
+  this->ExpectError("render one.vtp --skeletons one.vtp two.vtp -o picture.png",
+    "there are 2 for 1 meshes");
+}
+
+TEST_F(MarrowCommand, ErrorsOfArgumentsAndFilesAreOneSentence)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
+  this->WriteOFF(mesh, "mesh.off");
+  this->Write<vtkXMLPolyDataWriter>(mesh, "labelled.vtp");
+  fs::create_directories(this->Folder / "other");
+  this->WriteOFF(mesh, "other/mesh.off");
+
+  this->ExpectError("", "subcommand");
+  this->ExpectError("measure mesh.off", "--output is required");
+  this->ExpectError("measure absent.off -o out.vtp", "absent.off: there is no such file");
+  this->ExpectError("measure mesh.abc -o out.vtp", "must end in .off, .ply, .obj, .stl, .vtp or");
+  this->ExpectError("measure mesh.off -o out.ply", "out.ply: the name must end in .vtp or .vtk");
+  this->ExpectError("measure mesh.off -o absent/out.vtp", "there is no folder absent");
+  this->ExpectError("measure mesh.off -o out.vtp --threads 0", "--threads");
+  this->ExpectError("transfer mesh.off mesh.off -o out.seg", "no cell array SegmentId");
+  this->ExpectError(
+    "transfer labelled.vtp mesh.off other/mesh.off -o out", "two targets of that name");
+  this->ExpectError("render mesh.off -o out.jpg", "must end in .png");
+}
+
+TEST_F(MarrowCommand, ErrorsOfFiltersAndReadersAreOneSentence)
+{
+  this->WriteText("broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+  this->WriteText("empty.off", "OFF\n0 0 0\n");
+  this->WriteText("broken.vtp", "<VTKFile type=\"PolyData\"");
+  // Three triangles at one edge.
+  this->WriteText("fins.off",
+    "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  this->ExpectError("measure broken.off -o out.vtp", "broken.off");
+  this->ExpectError("measure empty.off -o out.vtp", "empty.off");
+  this->ExpectError("measure broken.vtp -o out.vtp", "broken.vtp");
+  this->ExpectError("measure fins.off -o out.vtp", "more than two triangles");
+  EXPECT_FALSE(fs::exists(this->Folder / "out.vtp"));
+
+  const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
+  this->WriteOFF(mesh, "mesh.off");
+  this->WriteText("short.seg", "1\n2\n3\n");
+  this->ExpectError("transfer mesh.off mesh.off --segments short.seg -o out.seg", "short.seg");
+}
+
+TEST_F(MarrowCommand, WithoutDisplayRenderSaysSoInsteadOfAborting)
+{
+  this->WriteOFF(Creature(1), "mesh.off");
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  this->ExpectError("render mesh.off -o out.png", "no X display");
+}
