@@ -3,6 +3,9 @@
 
 #include "PatchConnectivity.h"
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,7 +18,16 @@ namespace
 /// branch that bends back on itself must not swap its rings.
 constexpr int Reach = 3;
 /// The terminal's place between the middle of its cap and the tip: inside, and close to the end.
-constexpr double TowardsTip = 0.6;
+constexpr double TowardsTip = 0.7;
+/// The part of the cap, from its outermost point, that counts as the tip.
+constexpr double EndOfCap = 0.8;
+constexpr double Pi = 3.14159265358979323846;
+/// A node without φ still holds its place by this share of the mean, so that the system is definite.
+constexpr double LeastHold = 1e-3;
+constexpr double LargestStiffness = 1e3;
+/// How far a node's place reaches along the branch, over the local radius: no centre line winds more
+/// tightly than the part is thick.
+constexpr double SmoothingLength = 0.7;
 
 struct Projection
 {
@@ -176,6 +188,64 @@ void CenterNodes(Skeleton& skeleton, const std::vector<Eigen::Vector3d>& shrunk,
   }
 }
 
+void SmoothBranches(Skeleton& skeleton, const std::vector<double>& weight,
+  const std::vector<double>& msp)
+{
+  const double spacing =
+    skeleton.TotalLength() / std::max<std::size_t>(1, boost::num_edges(skeleton.Graph));
+  // Springs along the edges against springs to the present places; a node whose φ is small or poor
+  // holds its place weakly and follows its neighbours.
+  const int numberOfNodes = skeleton.NumberOfNodes();
+  std::vector<double> hold(numberOfNodes, 0.0);
+  std::vector<double> radius(numberOfNodes, 0.0);
+  double total = 0.0;
+  for (int n = 0; n < numberOfNodes; ++n)
+  {
+    double perimeter = 0.0;
+    for (const int v : skeleton.Graph[n].Vertices)
+    {
+      hold[n] += weight[v];
+      perimeter += weight[v] * msp[v];
+    }
+    radius[n] = hold[n] > 0.0 ? perimeter / hold[n] / (2.0 * Pi) : 0.0;
+    total += hold[n];
+  }
+  const double least = LeastHold * total / numberOfNodes;
+
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixX3d right(numberOfNodes, 3);
+  std::vector<double> diagonal(numberOfNodes);
+  for (int n = 0; n < numberOfNodes; ++n)
+  {
+    diagonal[n] = std::max(hold[n], least);
+    right.row(n) = diagonal[n] * skeleton.Graph[n].Position.transpose();
+  }
+  const double meanHold = std::max(total / numberOfNodes, least);
+  for (auto [e, end] = boost::edges(skeleton.Graph); e != end; ++e)
+  {
+    const int a = static_cast<int>(boost::source(*e, skeleton.Graph));
+    const int b = static_cast<int>(boost::target(*e, skeleton.Graph));
+    const double reach = SmoothingLength * std::max(radius[a], radius[b]) / spacing;
+    const double stiffness = meanHold * std::min(reach * reach, LargestStiffness);
+    diagonal[a] += stiffness;
+    diagonal[b] += stiffness;
+    entries.emplace_back(a, b, -stiffness);
+    entries.emplace_back(b, a, -stiffness);
+  }
+  for (int n = 0; n < numberOfNodes; ++n)
+  {
+    entries.emplace_back(n, n, diagonal[n]);
+  }
+  Eigen::SparseMatrix<double> matrix(numberOfNodes, numberOfNodes);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::MatrixX3d solution = solver.solve(right);
+  for (int n = 0; n < numberOfNodes; ++n)
+  {
+    skeleton.Graph[n].Position = solution.row(n).transpose();
+  }
+}
+
 void ExtendTerminals(Skeleton& skeleton, const TriangleMesh& mesh)
 {
   for (const Branch& branch : skeleton.Branches)
@@ -191,20 +261,25 @@ void ExtendTerminals(Skeleton& skeleton, const TriangleMesh& mesh)
         atFront ? branch.Nodes[1] : branch.Nodes[branch.Nodes.size() - 2];
       SkeletonNode& node = skeleton.Graph[terminal];
       const Eigen::Vector3d direction = node.Position - skeleton.Graph[before].Position;
-      int tip = -1;
+      // The middle of the farthest end of the cap: a flat end has no corner to run to.
       double farthest = 0.0;
       for (const int v : node.Vertices)
       {
-        const double along = (mesh.Points[v] - node.Position).dot(direction);
-        if (along > farthest)
+        farthest = std::max(farthest, (mesh.Points[v] - node.Position).dot(direction));
+      }
+      Eigen::Vector3d end = Eigen::Vector3d::Zero();
+      int count = 0;
+      for (const int v : node.Vertices)
+      {
+        if ((mesh.Points[v] - node.Position).dot(direction) >= EndOfCap * farthest)
         {
-          farthest = along;
-          tip = v;
+          end += mesh.Points[v];
+          ++count;
         }
       }
-      if (tip >= 0)
+      if (farthest > 0.0)
       {
-        node.Position += TowardsTip * (mesh.Points[tip] - node.Position);
+        node.Position += TowardsTip * (end / count - node.Position);
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,48 +15,85 @@ namespace marrow
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-/// A node that sees more than this share of its φ from outside is examined.
-constexpr double DoubtfulShare = 0.15;
-
-bool IsDoubtful(const SkeletonNode& node, const TriangleMesh& mesh,
-  const std::vector<Eigen::Vector3d>& normals)
+/// Whether the rays from `point` along +x, +y and +z all leave the mesh an odd number of times. Cheap,
+/// and wrong only where a ray grazes an edge: a point for which it is false is looked at again.
+bool RaysSayInside(const TriangleMesh& mesh, const Eigen::Vector3d& point)
 {
-  int outside = 0;
-  for (const int v : node.Vertices)
+  std::array<bool, 3> odd = { false, false, false };
+  for (const auto& triangle : mesh.Triangles)
   {
-    outside += (mesh.Points[v] - node.Position).dot(normals[v]) <= 0.0;
+    const Eigen::Vector3d a = mesh.Points[triangle[0]] - point;
+    const Eigen::Vector3d b = mesh.Points[triangle[1]] - point;
+    const Eigen::Vector3d c = mesh.Points[triangle[2]] - point;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      // The origin lies in the projected triangle if the three edge functions have one sign.
+      const double ab = a[u] * b[v] - a[v] * b[u];
+      const double bc = b[u] * c[v] - b[v] * c[u];
+      const double ca = c[u] * a[v] - c[v] * a[u];
+      if ((ab > 0.0) != (bc > 0.0) || (bc > 0.0) != (ca > 0.0))
+      {
+        continue;
+      }
+      const double height = a[axis] * bc + b[axis] * ca + c[axis] * ab;
+      odd[axis] = odd[axis] != ((height > 0.0) == (ab > 0.0));
+    }
   }
-  return outside > DoubtfulShare * static_cast<double>(node.Vertices.size());
+  return odd[0] && odd[1] && odd[2];
+}
+
+/// The distance from a vertex straight inwards to the opposite wall, infinite if there is none.
+double Thickness(const TriangleMesh& mesh, int vertex, const Eigen::Vector3d& inwards)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& triangle : mesh.Triangles)
+  {
+    if (triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex)
+    {
+      continue;
+    }
+    const Eigen::Vector3d a = mesh.Points[triangle[0]];
+    const Eigen::Vector3d ab = mesh.Points[triangle[1]] - a;
+    const Eigen::Vector3d ac = mesh.Points[triangle[2]] - a;
+    const Eigen::Vector3d from = mesh.Points[vertex] - a;
+    const Eigen::Vector3d p = inwards.cross(ac);
+    const double determinant = ab.dot(p);
+    if (determinant == 0.0)
+    {
+      continue;
+    }
+    const double u = from.dot(p) / determinant;
+    const Eigen::Vector3d q = from.cross(ab);
+    const double v = inwards.dot(q) / determinant;
+    const double t = ac.dot(q) / determinant;
+    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0)
+    {
+      nearest = std::min(nearest, t);
+    }
+  }
+  return nearest;
 }
 
 Eigen::Vector3d NearestInside(const SkeletonNode& node, const TriangleMesh& mesh,
   const std::vector<Eigen::Vector3d>& normals)
 {
-  // A handful of the nearest vertices, evenly from near to far, each at several depths.
-  constexpr int Samples = 6;
+  // In the middle of the wall below one of the nearest vertices.
+  constexpr int Samples = 4;
   std::vector<int> order = node.Vertices;
   const auto distance = [&](int v) { return (mesh.Points[v] - node.Position).squaredNorm(); };
   std::sort(order.begin(), order.end(),
     [&](int a, int b) { return distance(a) != distance(b) ? distance(a) < distance(b) : a < b; });
-  const double radius = std::sqrt(distance(order[order.size() / 2]));
-  for (const double depth : { 0.5, 0.25, 0.12, 0.06, 0.03 })
+  for (int i = 0; i < Samples; ++i)
   {
-    Eigen::Vector3d best = node.Position;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < Samples; ++i)
+    // From near to far, the nearest half of φ.
+    const int v = order[order.size() * i / (2 * Samples)];
+    const double thickness = Thickness(mesh, v, -normals[v]);
+    const Eigen::Vector3d candidate = mesh.Points[v] - 0.5 * thickness * normals[v];
+    if (std::isfinite(thickness) && WindingNumber(mesh, candidate) > 0.5)
     {
-      const int v = order[order.size() * i / Samples];
-      const Eigen::Vector3d candidate = mesh.Points[v] - depth * radius * normals[v];
-      const double away = (candidate - node.Position).squaredNorm();
-      if (away < nearest && WindingNumber(mesh, candidate) > 0.5)
-      {
-        nearest = away;
-        best = candidate;
-      }
-    }
-    if (nearest < std::numeric_limits<double>::infinity())
-    {
-      return best;
+      return candidate;
     }
   }
   return node.Position;
@@ -89,7 +127,7 @@ void MoveNodesInside(Skeleton& skeleton, const TriangleMesh& mesh)
       for (int n = first; n < last; ++n)
       {
         SkeletonNode& node = skeleton.Graph[n];
-        if (!node.Vertices.empty() && IsDoubtful(node, mesh, normals) &&
+        if (!node.Vertices.empty() && !RaysSayInside(mesh, node.Position) &&
           WindingNumber(mesh, node.Position) < 0.5)
         {
           node.Position = NearestInside(node, mesh, normals);

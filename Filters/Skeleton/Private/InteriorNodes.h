@@ -11,8 +11,8 @@ namespace marrow
 /// holes of an open one (Jacobson, Kavan and Sorkine 2013). O(triangles).
 double WindingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point);
 
-/// The centre of a ring may lie outside where the part is bent like a shell. Moves such nodes to the
-/// nearest point found inside: below the surface of their own φ, as deep as it goes.
+/// The centre of a ring may lie outside where the part is bent like a shell, or hollow like a cup.
+/// Moves such nodes into the middle of the wall, below the nearest part of their own φ.
 void MoveNodesInside(Skeleton& skeleton, const TriangleMesh& mesh);
 }
 

@@ -65,6 +65,7 @@ Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& me
   const double coarsest =
     skeleton.TotalLength() * LeastVerticesPerNode / std::max(1, mesh.NumberOfVertices());
   skeleton = ResampleBranches(skeleton, mesh, shrunk, weight, std::max(spacing, coarsest));
+  SmoothBranches(skeleton, weight, measures.MSP);
   MoveNodesInside(skeleton, mesh);
   ExtendTerminals(skeleton, mesh);
   AverageMeasures(skeleton, mesh, measures);
