@@ -21,25 +21,39 @@ enum RandomStream : unsigned int
   FirstPoseStream = 16
 };
 
+CreatureSkeleton SkeletonOf(const Creature& creature)
+{
+  return MakeCreatureSkeleton(creature, ImplicitCreature(creature));
+}
+
 /// The first of a series of random poses in which no limb touches another. After a dozen at full
-/// amplitude the amplitude shrinks, so that the search ends at the rest pose, which is clear.
+/// amplitude the amplitude shrinks, so that the search ends at the rest pose.
 Creature MakeClearCreature(const CreatureParameters& parameters)
 {
   constexpr int FullAttempts = 12;
   constexpr int Attempts = 40;
-  for (int attempt = 0;; ++attempt)
+  auto make = [&](int attempt, double pose)
   {
-    Variation proportion(parameters.Seed, ProportionStream, parameters.Proportion);
-    const double amplitude =
-      attempt == Attempts ? 0.0 : std::pow(0.9, std::max(0, attempt - FullAttempts));
-    Variation pose(parameters.Seed, FirstPoseStream + attempt, amplitude * parameters.Pose);
-    const Creature creature = MakeCreature(parameters.Kind, proportion, pose);
-    if (attempt == Attempts ||
-      HasClearance(MakeCreatureSkeleton(creature, ImplicitCreature(creature)), creature))
+    Variation proportions(parameters.Seed, ProportionStream, parameters.Proportion);
+    Variation bends(parameters.Seed, FirstPoseStream + attempt, pose);
+    return MakeCreature(parameters.Kind, proportions, bends);
+  };
+  const Creature resting = make(0, 0.0);
+  if (parameters.Pose <= 0.0)
+  {
+    return resting;
+  }
+  const CreatureSkeleton restingSkeleton = SkeletonOf(resting);
+  for (int attempt = 0; attempt < Attempts; ++attempt)
+  {
+    const double amplitude = std::pow(0.9, std::max(0, attempt - FullAttempts));
+    const Creature creature = make(attempt, amplitude * parameters.Pose);
+    if (HasClearance(SkeletonOf(creature), restingSkeleton, creature))
     {
       return creature;
     }
   }
+  return resting;
 }
 
 /// A manifold contour of about the number of triangles asked for.
@@ -47,7 +61,7 @@ bool Contour(const ImplicitCreature& implicit, int resolution, int expectedGenus
   TriangleMesh& mesh, const Progress& progress)
 {
   constexpr double Tolerance = 0.03;
-  constexpr int Attempts = 12;
+  constexpr int Attempts = 24;
   Eigen::Vector3d low;
   Eigen::Vector3d high;
   implicit.Bounds(low, high);
@@ -67,12 +81,15 @@ bool Contour(const ImplicitCreature& implicit, int resolution, int expectedGenus
       SurfaceNets(function, low - shift, high + Eigen::Vector3d::Constant(2.0 * spacing), spacing);
     const double ratio = static_cast<double>(mesh.NumberOfTriangles()) / resolution;
     const MeshReport report = CheckMesh(mesh);
-    if (std::abs(ratio - 1.0) < Tolerance * (1 + attempt / 4) && report.ManifoldError().empty() &&
+    if (std::abs(ratio - 1.0) < (attempt < 4 ? Tolerance : 0.1) && report.ManifoldError().empty() &&
       report.IsClosed() && report.NumberOfComponents == 1 && report.Genus() == expectedGenus)
     {
       return true;
     }
-    spacing *= std::sqrt(ratio);
+    if (std::abs(ratio - 1.0) > Tolerance)
+    {
+      spacing *= std::sqrt(ratio);
+    }
   }
   return false;
 }

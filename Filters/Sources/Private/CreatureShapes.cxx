@@ -96,7 +96,7 @@ Creature MakeOctopus()
 {
   Creature creature;
   creature.Limbs.push_back(MakeLimb(0, -1, -1, 0.0,
-    { { { 0.0, 0.35, 0.0 }, 0.33, { 12, 0, 12 } }, { { -0.05, 0.75, 0.0 }, 0.36, { 12, 0, 12 } },
+    { { { 0.0, 0.35, 0.0 }, 0.33 }, { { -0.05, 0.75, 0.0 }, 0.36, { 20, 0, 20 } },
       { { -0.12, 1.3, 0.0 }, 0.24 } }));
   for (int i = 0; i < 8; ++i)
   {
@@ -104,9 +104,9 @@ Creature MakeOctopus()
     auto at = [angle](double distance, double height)
     { return Eigen::Vector3d(distance * std::cos(angle), height, distance * std::sin(angle)); };
     Limb tentacle = MakeLimb(i + 1, 0, 0, 0.05,
-      { { { 0.0, 0.35, 0.0 }, 0.1 }, { at(0.3, 0.2), 0.1, { 0, 8, 0 } },
-        { at(0.7, 0.12), 0.085, { 15, 20, 15 } }, { at(1.1, 0.1), 0.07, { 20, 30, 20 } },
-        { at(1.5, 0.11), 0.058, { 25, 40, 25 } }, { at(1.85, 0.12), 0.048 } });
+      { { { 0.0, 0.35, 0.0 }, 0.09 }, { at(0.4, 0.19), 0.09, { 0, 3, 0 } },
+        { at(0.75, 0.12), 0.088, { 15, 25, 15 } }, { at(1.15, 0.1), 0.082, { 25, 40, 25 } },
+        { at(1.55, 0.11), 0.074, { 30, 50, 30 } }, { at(1.9, 0.12), 0.068 } });
     tentacle.Buried = true;
     tentacle.Twins = 100; // of equal length, as far as a tentacle goes
     creature.Limbs.push_back(std::move(tentacle));

@@ -95,10 +95,12 @@ CreatureSkeleton MakeCreatureSkeleton(const Creature& creature, const ImplicitCr
   return skeleton;
 }
 
-bool HasClearance(const CreatureSkeleton& skeleton, const Creature& creature)
+bool HasClearance(
+  const CreatureSkeleton& posed, const CreatureSkeleton& resting, const Creature& creature)
 {
-  const SkeletonGraph& graph = skeleton.Graph.Graph;
-  const std::vector<std::vector<double>> pathLength = PathLengths(graph);
+  const SkeletonGraph& graph = posed.Graph.Graph;
+  const SkeletonGraph& rest = resting.Graph.Graph;
+  const std::vector<std::vector<double>> pathLength = PathLengths(rest);
   double blend = 0.0;
   for (const Limb& limb : creature.Limbs)
   {
@@ -109,9 +111,17 @@ bool HasClearance(const CreatureSkeleton& skeleton, const Creature& creature)
     for (std::size_t b = a + 1; b < pathLength.size(); ++b)
     {
       const double radii = graph[a].Radius + graph[b].Radius;
+      const double restGap = (rest[a].Position - rest[b].Position).norm() - radii;
+      // At half the blend apart the smooth union of two limbs is about to weld them.
+      const double weld = 0.5 * blend;
+      if (pathLength[a][b] < 2.2 * radii || restGap < weld)
+      {
+        continue;
+      }
       const double thinner = std::min(graph[a].Radius, graph[b].Radius);
-      if (pathLength[a][b] > 2.2 * radii &&
-        (graph[a].Position - graph[b].Position).norm() < radii + 0.5 * blend + 0.3 * thinner)
+      const double clear = std::min(weld + 0.3 * thinner, std::max(weld, restGap - 0.25 * thinner));
+      const double gap = (graph[a].Position - graph[b].Position).norm() - radii;
+      if (gap < clear)
       {
         return false;
       }

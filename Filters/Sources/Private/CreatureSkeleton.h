@@ -20,8 +20,10 @@ struct CreatureSkeleton
 CreatureSkeleton MakeCreatureSkeleton(const Creature& creature, const ImplicitCreature& implicit);
 
 /// Whether parts that are far from each other along the skeleton keep clear of each other in space,
-/// so that the smooth union does not weld them.
-bool HasClearance(const CreatureSkeleton& skeleton, const Creature& creature);
+/// so that the smooth union does not weld them. Where they are close in the rest pose already, next
+/// to a joint, they may not come closer.
+bool HasClearance(
+  const CreatureSkeleton& posed, const CreatureSkeleton& resting, const Creature& creature);
 
 /// Fills φ with the vertices of the nearest limb's nearest node, sets Radius and MeshDiagonal,
 /// takes regular nodes with an empty φ out (they lie inside the part that a limb sits on), and

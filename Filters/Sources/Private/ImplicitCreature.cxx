@@ -150,7 +150,9 @@ ImplicitCreature::Nearest ImplicitCreature::ToLimb(int index, const Eigen::Vecto
   {
     const Eigen::Vector3d& a = line.Positions[i];
     const double length = line.ArcLength[i + 1] - line.ArcLength[i];
-    if (length <= 0.0)
+    // A piece that cannot be nearer than the nearest so far is left out.
+    const double reach = result.Distance + length + std::max(line.Radii[i], line.Radii[i + 1]);
+    if (length <= 0.0 || (reach > 0.0 && (point - a).squaredNorm() > reach * reach))
     {
       continue;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshRelaxation.h"
 
+#include "ParallelFor.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -113,28 +115,36 @@ void FlipEdges(TriangleMesh& mesh)
 void RelaxMesh(TriangleMesh& mesh,
   const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& project, int rounds)
 {
-  for (auto& point : mesh.Points)
-  {
-    point = project(point);
-  }
+  ParallelFor(0, mesh.NumberOfVertices(),
+    [&](int first, int last)
+    {
+      for (int v = first; v < last; ++v)
+      {
+        mesh.Points[v] = project(mesh.Points[v]);
+      }
+    });
   for (int round = 0; round < rounds; ++round)
   {
     FlipEdges(mesh);
     const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
-    std::vector<Eigen::Vector3d> moved = mesh.Points;
-    for (int v = 0; v < mesh.NumberOfVertices(); ++v)
-    {
-      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-      int count = 0;
-      mesh.ForEachNeighbor(v,
-        [&](int neighbor)
+    std::vector<Eigen::Vector3d> moved(mesh.Points.size());
+    ParallelFor(0, mesh.NumberOfVertices(),
+      [&](int first, int last)
+      {
+        for (int v = first; v < last; ++v)
         {
-          mean += mesh.Points[neighbor];
-          ++count;
-        });
-      const Eigen::Vector3d step = 0.6 * (mean / count - mesh.Points[v]);
-      moved[v] = project(mesh.Points[v] + step - step.dot(normals[v]) * normals[v]);
-    }
+          Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+          int count = 0;
+          mesh.ForEachNeighbor(v,
+            [&](int neighbor)
+            {
+              mean += mesh.Points[neighbor];
+              ++count;
+            });
+          const Eigen::Vector3d step = 0.6 * (mean / count - mesh.Points[v]);
+          moved[v] = project(mesh.Points[v] + step - step.dot(normals[v]) * normals[v]);
+        }
+      });
     mesh.Points = std::move(moved);
   }
   FlipEdges(mesh);

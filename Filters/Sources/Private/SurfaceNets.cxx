@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceNets.h"
 
+#include "ParallelFor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -31,7 +33,25 @@ public:
     , Values(BlockPoints * BlockPoints * BlockPoints)
   {
   }
-  double& At(int x, int y, int z) { return this->Values[(z * BlockPoints + y) * BlockPoints + x]; }
+
+  void Evaluate(const std::function<double(const Eigen::Vector3d&)>& function,
+    const Eigen::Vector3d& low, double spacing)
+  {
+    std::size_t next = 0;
+    for (int z = 0; z < BlockPoints; ++z)
+    {
+      for (int y = 0; y < BlockPoints; ++y)
+      {
+        for (int x = 0; x < BlockPoints; ++x)
+        {
+          // From the grid's origin, not the block's: blocks must agree on their common points.
+          this->Values[next++] =
+            function(low + spacing * (this->First + Index(x, y, z)).cast<double>());
+        }
+      }
+    }
+  }
+
   double At(const Index& point) const
   {
     return this->Values[(point[2] * BlockPoints + point[1]) * BlockPoints + point[0]];
@@ -187,21 +207,17 @@ TriangleMesh SurfaceNets(const std::function<double(const Eigen::Vector3d&)>& fu
           continue;
         }
         active.emplace_back(first);
-        for (int k = 0; k < BlockPoints; ++k)
-        {
-          for (int j = 0; j < BlockPoints; ++j)
-          {
-            for (int i = 0; i < BlockPoints; ++i)
-            {
-              // From the grid's origin, not the block's: blocks must agree on their common points.
-              active.back().At(i, j, k) =
-                function(low + spacing * (first + Index(i, j, k)).cast<double>());
-            }
-          }
-        }
       }
     }
   }
+  ParallelFor(0, static_cast<int>(active.size()),
+    [&](int begin, int end)
+    {
+      for (int b = begin; b < end; ++b)
+      {
+        active[b].Evaluate(function, low, spacing);
+      }
+    });
 
   TriangleMesh mesh;
   std::unordered_map<std::int64_t, std::array<int, 12>> verticesOfCell;
