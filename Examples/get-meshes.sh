@@ -6,6 +6,7 @@
 set -euo pipefail
 
 folder=$1
+as_root=$([ "$(id -u)" -eq 0 ] && echo env || echo sudo)
 if [ -e "$folder/camel.off" ]; then
   exit 0
 fi
@@ -16,7 +17,14 @@ if [ ! -e "$archive" ]; then
   trap 'rm -rf "$package"' EXIT
   # apt fetches as the user _apt, who must be able to write here.
   chmod 777 "$package"
-  (cd "$package" && apt-get download libcgal-demo && dpkg --extract libcgal-demo_*.deb content)
+  cd "$package"
+  if ! apt-get download libcgal-demo; then
+    # The lists of packages are missing or old, as in a fresh container.
+    "$as_root" apt-get update
+    apt-get download libcgal-demo
+  fi
+  dpkg --extract libcgal-demo_*.deb content
+  cd - >/dev/null
   archive=$package/content$archive
 fi
 tar --extract --gzip --file "$archive" --directory "$folder" --strip-components=2 data/meshes

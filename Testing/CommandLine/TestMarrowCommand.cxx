@@ -3,6 +3,7 @@
 #include <vtkCellData.h>
 #include <vtkCreatureSource.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
 #include <vtkPLYWriter.h>
@@ -10,7 +11,6 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
-#include <vtkImageData.h>
 #include <vtkSTLWriter.h>
 #include <vtkSegmentWriter.h>
 #include <vtkXMLPolyDataReader.h>
@@ -267,8 +267,8 @@ TEST_F(MarrowCommand, RenderWritesAPictureOfTheTilesSize)
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], 120);
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[1], 80);
-  this->ExpectError("render one.vtp --skeletons one.vtp two.vtp -o picture.png",
-    "there are 2 for 1 meshes");
+  this->ExpectError(
+    "render one.vtp --skeletons one.vtp two.vtp -o picture.png", "there are 2 for 1 meshes");
 }
 
 TEST_F(MarrowCommand, ErrorsOfArgumentsAndFilesAreOneSentence)
@@ -298,8 +298,8 @@ TEST_F(MarrowCommand, ErrorsOfFiltersAndReadersAreOneSentence)
   this->WriteText("empty.off", "OFF\n0 0 0\n");
   this->WriteText("broken.vtp", "<VTKFile type=\"PolyData\"");
   // Three triangles at one edge.
-  this->WriteText("fins.off",
-    "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  this->WriteText(
+    "fins.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
   this->ExpectError("measure broken.off -o out.vtp", "broken.off");
   this->ExpectError("measure empty.off -o out.vtp", "empty.off");
   this->ExpectError("measure broken.vtp -o out.vtp", "broken.vtp");
