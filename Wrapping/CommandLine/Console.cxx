@@ -7,10 +7,12 @@
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkLogger.h>
 
 #include <unistd.h>
 
 #include <cstdio>
+#include <iostream>
 
 namespace
 {
@@ -37,6 +39,8 @@ void EraseBar()
 Console::Console()
 {
   vtkOutputWindow::SetInstance(this->Recorder);
+  // VTK logs every error and warning to stderr too.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 Console::~Console()
@@ -47,7 +51,6 @@ Console::~Console()
 void Console::SetQuiet(bool quiet)
 {
   this->Quiet = quiet;
-  this->Recorder->Quiet = quiet;
 }
 
 void Console::Update(vtkAlgorithm* algorithm, const std::string& title)
@@ -75,8 +78,17 @@ void Console::ThrowIfError(const std::string& title)
 {
   std::string error;
   error.swap(this->Recorder->FirstError);
+  std::vector<std::string> warnings;
+  warnings.swap(this->Recorder->Warnings);
   if (!error.empty())
   {
     throw CommandError(title + ": " + error);
+  }
+  for (const std::string& warning : warnings)
+  {
+    if (!this->Quiet)
+    {
+      std::cerr << "marrow: warning: " << title << ": " << warning << std::endl;
+    }
   }
 }

@@ -3,7 +3,7 @@
 
 #include <vtkObjectFactory.h>
 
-#include <iostream>
+#include <cctype>
 
 namespace
 {
@@ -26,6 +26,10 @@ std::string Sentence(const std::string& text)
   {
     c = c == '\n' ? ' ' : c;
   }
+  if (!sentence.empty() && sentence.back() != '.')
+  {
+    sentence += '.';
+  }
   return sentence;
 }
 }
@@ -34,18 +38,21 @@ vtkStandardNewMacro(ErrorRecorder);
 
 void ErrorRecorder::DisplayErrorText(const char* text)
 {
-  if (this->FirstError.empty())
+  if (!this->FirstError.empty())
   {
-    this->FirstError = Sentence(text);
+    return;
+  }
+  this->FirstError = Sentence(text);
+  if (this->FirstError.find("returned failure for request") != std::string::npos)
+  {
+    // The pipeline's word on an algorithm that gave no reason, or called it a warning.
+    this->FirstError = this->Warnings.empty() ? "It cannot be processed." : this->Warnings.back();
   }
 }
 
 void ErrorRecorder::DisplayWarningText(const char* text)
 {
-  if (!this->Quiet)
-  {
-    std::cerr << "marrow: warning: " << Sentence(text) << std::endl;
-  }
+  this->Warnings.push_back(Sentence(text));
 }
 
 void ErrorRecorder::DisplayGenericWarningText(const char* text)

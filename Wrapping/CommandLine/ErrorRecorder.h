@@ -5,8 +5,9 @@
 #include <vtkOutputWindow.h>
 
 #include <string>
+#include <vector>
 
-/// An output window that keeps the first error and prints warnings as one line each.
+/// An output window that keeps what it is told, as plain sentences.
 class ErrorRecorder : public vtkOutputWindow
 {
 public:
@@ -19,10 +20,9 @@ public:
   void DisplayWarningText(const char* text) override;
   void DisplayGenericWarningText(const char* text) override;
 
-  bool Quiet = false;
-  /// The sentence of the first error since it was last cleared: an error that follows is most often
-  /// a consequence, as when the pipeline reports that a filter failed.
+  /// The first error: those that follow are most often its consequences.
   std::string FirstError;
+  std::vector<std::string> Warnings;
 
 protected:
   ErrorRecorder() = default;

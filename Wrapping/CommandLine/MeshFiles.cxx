@@ -38,20 +38,6 @@ void RequireReadable(const std::string& path)
   }
 }
 
-/// Asked before VTK is, whose writers differ in what they say.
-void RequireWritable(const std::string& path)
-{
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder))
-  {
-    throw CommandError(path + ": there is no folder " + folder.string() + " to write into.");
-  }
-  if (!std::ofstream(path, std::ios::app))
-  {
-    throw CommandError(path + ": the file cannot be written.");
-  }
-}
-
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> Read(const std::string& path, Console& console)
 {
@@ -211,6 +197,24 @@ void RequireExtension(const std::string& path, const std::vector<std::string>& a
       list += (i + 1 < allowed.size() ? ", " : " or ") + allowed[i];
     }
     throw CommandError(path + ": the name must end in " + list + ".");
+  }
+}
+
+void RequireWritable(const std::string& path)
+{
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+  {
+    throw CommandError(path + ": there is no folder " + folder.string() + " to write into.");
+  }
+  const bool isNew = !std::filesystem::exists(path);
+  if (!std::ofstream(path, std::ios::app))
+  {
+    throw CommandError(path + ": the file cannot be written.");
+  }
+  if (isNew)
+  {
+    std::filesystem::remove(path);
   }
 }
 

@@ -43,6 +43,10 @@ std::string Stem(const std::string& path);
 /// Throws CommandError unless the ending is one of `allowed`.
 void RequireExtension(const std::string& path, const std::vector<std::string>& allowed);
 
+/// Throws CommandError unless the file can be written; asked before VTK's writers are, which differ in
+/// what they say.
+void RequireWritable(const std::string& path);
+
 /// Creates the folder if there is none.
 void MakeFolder(const std::string& path);
 }

@@ -55,6 +55,7 @@ CLI::App* RenderCommand::Declare(CLI::App& marrow)
 void RenderCommand::Run(Console& console)
 {
   files::RequireExtension(this->Output, { ".png" });
+  files::RequireWritable(this->Output);
   if (!this->Skeletons.empty() && this->Skeletons.size() != this->Meshes.size())
   {
     throw CommandError("--skeletons: there are " + std::to_string(this->Skeletons.size()) +
