@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSegmentReader.h"
+
+#include "ArrayNames.h"
+#include "MeshBridge.h"
+#include "SegmentFile.h"
+
+#include <vtkCellData.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkSegmentReader);
+
+vtkSegmentReader::~vtkSegmentReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkSegmentReader::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("There is no file name: set FileName.");
+    return 0;
+  }
+  std::vector<int> segments;
+  const std::string error = marrow::ReadSegmentFile(this->FileName, segments);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  if (static_cast<vtkIdType>(segments.size()) != input->GetNumberOfCells())
+  {
+    vtkErrorMacro("\"" << this->FileName << "\" has " << segments.size()
+                       << " segment numbers but the mesh has " << input->GetNumberOfCells()
+                       << " cells: use the file that belongs to this mesh.");
+    return 0;
+  }
+  output->ShallowCopy(input);
+  marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, segments);
+  return 1;
+}
+
+void vtkSegmentReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
