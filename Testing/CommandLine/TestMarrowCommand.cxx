@@ -182,7 +182,8 @@ TEST_F(MarrowCommand, SkeletonWritesTheSkeletonAndTheMesh)
   const vtkSmartPointer<vtkPolyData> skeleton = this->Read("skeleton.vtp");
   EXPECT_GT(skeleton->GetNumberOfLines(), 0);
   EXPECT_TRUE(skeleton->GetPointData()->HasArray("NodeType"));
-  vtkDataArray* nodes = this->Read("mesh.vtp")->GetPointData()->GetArray("SkeletonNodeId");
+  const vtkSmartPointer<vtkPolyData> measured = this->Read("mesh.vtp");
+  vtkDataArray* nodes = measured->GetPointData()->GetArray("SkeletonNodeId");
   ASSERT_NE(nodes, nullptr);
   EXPECT_EQ(nodes->GetRange()[1] + 1, skeleton->GetNumberOfPoints());
 }
@@ -217,7 +218,8 @@ TEST_F(MarrowCommand, TransferToOneTargetWritesAFile)
   this->Write<vtkSegmentWriter>(Creature(1), "source.seg");
   this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.seg");
   this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.vtp");
-  vtkDataArray* labels = this->Read("out.vtp")->GetCellData()->GetArray("SegmentId");
+  const vtkSmartPointer<vtkPolyData> labelled = this->Read("out.vtp");
+  vtkDataArray* labels = labelled->GetCellData()->GetArray("SegmentId");
   ASSERT_NE(labels, nullptr);
   std::istringstream seg(Content(this->Folder / "out.seg"));
   for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
