@@ -21,19 +21,20 @@
  * - The gradient of MSP (transfer paper 3.4), large where the thickness changes.
  * - The dihedral angle (transfer paper 4.4).
  *
- * Ports: input 0 is a triangle mesh, output 0 the same mesh, its points, cells and arrays
- * untouched, with these point arrays added or replaced:
+ * Ports: input 0 is a triangle mesh, output 0 the same mesh, its points, cells and arrays untouched,
+ * with these point arrays added or replaced:
  *
- * | array         | type     | meaning |
- * | ------------- | -------- | ------- |
- * | AGD           | double   | average geodesic distance, [0,1] per connected component; 0 if all
- * are equal | | MSP           | double   | least slice perimeter, in mesh units | | MSPCenter     |
- * double×3 | length-weighted centroid of that slice | | MSPNormal     | double×3 | unit normal of
- * that slice's plane; its sign means nothing | | MSPGradient   | double×3 | gradient of MSP,
- * dimensionless, towards the thicker part | | MSPValid      | uchar    | 1: the slice is closed; 0:
- * closed by its chord, or filled in | | DihedralAngle | double   | length-weighted mean over the
- * vertex's inner edges of the angle between the normals of the two triangles, radians, convex
- * positive |
+ * - AGD, double: average geodesic distance, in [0,1] per connected component; 0 throughout one where
+ *   it varies by less than 2 %, as on a ball.
+ * - MSP, double: least slice perimeter, in mesh units.
+ * - MSPCenter, double×3: length-weighted centroid of that slice.
+ * - MSPNormal, double×3: unit normal of that slice's plane; its sign means nothing.
+ * - MSPGradient, double×3: gradient of MSP, dimensionless, towards the thicker part, by the paper's
+ *   sum over the edges of the triangles round the vertex: on equilateral triangles 4/√3 times the
+ *   gradient proper.
+ * - MSPValid, uchar: 1 where the slice is closed; 0 where it is closed by its chord, or filled in.
+ * - DihedralAngle, double: mean over the vertex's inner edges, weighted by their lengths, of the angle
+ *   between the normals of the two triangles; radians, convex positive, 0 where flat.
  *
  * Slices that meet a border of the mesh are followed to the border both ways and closed by the
  * chord between the ends; they count only at vertices where no slice closes by itself. Vertices

@@ -178,6 +178,14 @@ TEST(AverageGeodesicDistance, IsTakenOverTheComponentOfAVertex)
   EXPECT_EQ(agd.back(), 0.0);
 }
 
+TEST(AverageGeodesicDistance, IsZeroOnABall)
+{
+  for (double value : AGDOf(MakeSphere(2.0, 4), 64))
+  {
+    ASSERT_EQ(value, 0.0);
+  }
+}
+
 TEST(AverageGeodesicDistance, StandsTheSmallestMeshes)
 {
   TriangleMesh triangle;

@@ -18,9 +18,9 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 // Enough to keep the threads busy between two reports, few enough for an abort to be felt.
-constexpr int BatchesPerReport = 16;
-// Spreads below this part of the mean are rounding.
-constexpr double RelativeSpread = 1e-6;
+constexpr int BatchesPerReport = 8;
+// On a ball, where all distances are alike, the error of the method alone spreads that far.
+constexpr double RelativeSpread = 0.02;
 
 /// Vertices that stand for others, and the area each stands for.
 struct Samples

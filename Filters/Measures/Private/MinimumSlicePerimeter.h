@@ -33,6 +33,12 @@ struct SliceField
 /// may be short only because the chord cuts across. Ties go to the plane of the lower index, so
 /// that the result does not depend on the order of trying.
 ///
+/// How steady it is: between 5k and 20k to 52k faces of one shape MSP differs by 1 to 3 % in the median
+/// and 13 to 32 % at the 95th percentile, where the least slice jumps from one part to another.
+/// Smoothing the normals first makes that worse on all shapes tried but a bumpy one; the least over
+/// normals in a cone of 10° betters it by a tenth for two to three times the time. So the normals
+/// are plain.
+///
 /// Vertices without any slice take the mean of the neighbours that have one, or have been filled
 /// from theirs; where a whole component has none, perimeter 0 and the vertex itself.
 ///
