@@ -97,7 +97,8 @@ int vtkMSPSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
     meshOutput->ShallowCopy(field->GetOutput());
     if (!GetMeasures(meshOutput, measures))
     {
-      vtkErrorMacro("The measures of the mesh could not be computed: see the message of vtkMSPField.");
+      vtkErrorMacro(
+        "The measures of the mesh could not be computed: see the message of vtkMSPField.");
       return 0;
     }
   }
@@ -108,10 +109,9 @@ int vtkMSPSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
 
-  const marrow::Skeleton skeleton =
-    marrow::ComputeMSPSkeleton(mesh, measures, this->FinestArea,
-      this->NodeSpacing * mesh.BoundingBoxDiagonal(),
-      marrow::ProgressOf(this, ProgressAfterMeasures, 1.0));
+  const marrow::Skeleton skeleton = marrow::ComputeMSPSkeleton(mesh, measures, this->FinestArea,
+    this->NodeSpacing * mesh.BoundingBoxDiagonal(),
+    marrow::ProgressOf(this, ProgressAfterMeasures, 1.0));
   if (marrow::IsAborted(this))
   {
     return 1;

@@ -46,7 +46,8 @@ std::string MeshReport::ManifoldError() const
   }
   if (this->InconsistentEdges.Count > 0)
   {
-    return Sentence(this->InconsistentEdges, "edge whose two triangles are oriented against each other",
+    return Sentence(this->InconsistentEdges,
+      "edge whose two triangles are oriented against each other",
       "edges whose two triangles are oriented against each other", "point",
       "run vtkPolyDataNormals with ConsistencyOn and SplittingOff first");
   }
@@ -60,10 +61,9 @@ std::string MeshReport::ManifoldError() const
 
 std::string MeshReport::ClosedError() const
 {
-  return this->IsClosed()
-    ? std::string()
-    : Sentence(this->BorderEdges, "border edge", "border edges", "point",
-        "close its holes first, for example with vtkFillHolesFilter");
+  return this->IsClosed() ? std::string()
+                          : Sentence(this->BorderEdges, "border edge", "border edges", "point",
+                              "close its holes first, for example with vtkFillHolesFilter");
 }
 
 std::string MeshReport::ConnectedError() const

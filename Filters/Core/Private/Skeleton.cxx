@@ -56,8 +56,7 @@ Branch Walk(const SkeletonGraph& graph, EdgeTable& table, int start, const EdgeT
   for (;;)
   {
     table.Used[step.Edge] = true;
-    const double length =
-      (graph[step.Node].Position - graph[branch.Nodes.back()].Position).norm();
+    const double length = (graph[step.Node].Position - graph[branch.Nodes.back()].Position).norm();
     branch.Nodes.push_back(step.Node);
     branch.ArcLength.push_back(branch.ArcLength.back() + length);
     const auto& incident = table.Incident[step.Node];

@@ -181,8 +181,8 @@ std::string ToSkeleton(vtkPolyData* input, Skeleton& skeleton)
   }
   double bounds[6];
   input->GetBounds(bounds);
-  const double diagonal = Eigen::Vector3d(
-    bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]).norm();
+  const double diagonal =
+    Eigen::Vector3d(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]).norm();
   skeleton.MeshDiagonal = GetFieldValue(input, names::MeshDiagonal, diagonal);
   skeleton.MeshMaximumMSP = GetFieldValue(input, names::MeshMaximumMSP, maximumMSP);
   return {};

@@ -24,10 +24,11 @@ constexpr double EndOfCap = 0.8;
 constexpr double Pi = 3.14159265358979323846;
 /// A node without φ still holds its place by this share of the mean, so that the system is definite.
 constexpr double LeastHold = 1e-3;
+constexpr double FixedHold = 1e3;
 constexpr double LargestStiffness = 1e3;
 /// How far a node's place reaches along the branch, over the local radius: no centre line winds more
 /// tightly than the part is thick.
-constexpr double SmoothingLength = 0.7;
+constexpr double SmoothingLength = 0.4;
 
 struct Projection
 {
@@ -78,8 +79,7 @@ public:
     for (const Branch& branch : old.Branches)
     {
       const int least = branch.IsLoop() ? 3 : 1;
-      const int steps =
-        std::max(least, static_cast<int>(std::lround(branch.Length() / spacing)));
+      const int steps = std::max(least, static_cast<int>(std::lround(branch.Length() / spacing)));
       std::vector<int> nodes(1, this->Feature(branch.Front()));
       for (int i = 1; i < steps; ++i)
       {
@@ -101,8 +101,7 @@ public:
     const auto& nodes = this->NodesOfBranch[branch];
     const int steps = static_cast<int>(nodes.size()) - 1;
     const double length = this->Old.Branches[branch].Length();
-    const int step =
-      length > 0.0 ? static_cast<int>(std::lround(arc / length * steps)) : 0;
+    const int step = length > 0.0 ? static_cast<int>(std::lround(arc / length * steps)) : 0;
     return nodes[std::clamp(step, 0, steps)];
   }
 
@@ -132,8 +131,7 @@ Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
   Resampling resampling(skeleton, spacing);
 
   std::vector<int> nodeOfVertex(mesh.Points.size(), -1);
-  std::vector<double> squaredDistance(
-    mesh.Points.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> squaredDistance(mesh.Points.size(), std::numeric_limits<double>::infinity());
   for (int b = 0; b < skeleton.NumberOfBranches(); ++b)
   {
     const Branch& branch = skeleton.Branches[b];
@@ -143,8 +141,8 @@ Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
       for (const int v : skeleton.Graph[branch.Nodes[i]].Vertices)
       {
         // The φ of a junction is seen once from each of its branches: the nearest takes the vertex.
-        const Projection projection = Project(shrunk[v], skeleton, branch,
-          std::max(0, i - Reach), std::min(lastSegment, i + Reach - 1));
+        const Projection projection = Project(shrunk[v], skeleton, branch, std::max(0, i - Reach),
+          std::min(lastSegment, i + Reach - 1));
         if (projection.SquaredDistance < squaredDistance[v])
         {
           squaredDistance[v] = projection.SquaredDistance;
@@ -168,8 +166,8 @@ Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
   return result;
 }
 
-void CenterNodes(Skeleton& skeleton, const std::vector<Eigen::Vector3d>& shrunk,
-  const std::vector<double>& weight)
+void CenterNodes(
+  Skeleton& skeleton, const std::vector<Eigen::Vector3d>& shrunk, const std::vector<double>& weight)
 {
   for (int n = 0; n < skeleton.NumberOfNodes(); ++n)
   {
@@ -188,8 +186,8 @@ void CenterNodes(Skeleton& skeleton, const std::vector<Eigen::Vector3d>& shrunk,
   }
 }
 
-void SmoothBranches(Skeleton& skeleton, const std::vector<double>& weight,
-  const std::vector<double>& msp)
+void SmoothBranches(
+  Skeleton& skeleton, const std::vector<double>& weight, const std::vector<double>& msp)
 {
   const double spacing =
     skeleton.TotalLength() / std::max<std::size_t>(1, boost::num_edges(skeleton.Graph));
@@ -217,7 +215,9 @@ void SmoothBranches(Skeleton& skeleton, const std::vector<double>& weight,
   std::vector<double> diagonal(numberOfNodes);
   for (int n = 0; n < numberOfNodes; ++n)
   {
-    diagonal[n] = std::max(hold[n], least);
+    // A terminal has a neighbour on one side only, and springs would shorten the limb.
+    const bool isFree = skeleton.TypeOf(n) != NodeType::Terminal;
+    diagonal[n] = isFree ? std::max(hold[n], least) : FixedHold * total;
     right.row(n) = diagonal[n] * skeleton.Graph[n].Position.transpose();
   }
   const double meanHold = std::max(total / numberOfNodes, least);
@@ -257,8 +257,7 @@ void ExtendTerminals(Skeleton& skeleton, const TriangleMesh& mesh)
       {
         continue;
       }
-      const int before =
-        atFront ? branch.Nodes[1] : branch.Nodes[branch.Nodes.size() - 2];
+      const int before = atFront ? branch.Nodes[1] : branch.Nodes[branch.Nodes.size() - 2];
       SkeletonNode& node = skeleton.Graph[terminal];
       const Eigen::Vector3d direction = node.Position - skeleton.Graph[before].Position;
       // The middle of the farthest end of the cap: a flat end has no corner to run to.

@@ -23,8 +23,8 @@ void CenterNodes(Skeleton& skeleton, const std::vector<Eigen::Vector3d>& shrunk,
 
 /// Takes the zigzag out of the branches: node positions are smoothed along them over a length in
 /// proportion to the local radius MSP / 2π, the less the more surface stands behind a position.
-void SmoothBranches(Skeleton& skeleton, const std::vector<double>& weight,
-  const std::vector<double>& msp);
+void SmoothBranches(
+  Skeleton& skeleton, const std::vector<double>& weight, const std::vector<double>& msp);
 
 /// Moves each terminal from the middle of its cap towards the tip of the part.
 void ExtendTerminals(Skeleton& skeleton, const TriangleMesh& mesh);

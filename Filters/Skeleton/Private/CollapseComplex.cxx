@@ -57,6 +57,75 @@ bool Remove(std::vector<int>& values, int value)
   values.pop_back();
   return true;
 }
+
+/// A spanning forest: along it every vertex gets the sum of the classes from its root (potentials
+/// turn an edge's bits into the class of the loop that the edge closes), a parent and a distance.
+struct Forest
+{
+  struct Link
+  {
+    int Neighbor;
+    double Length;
+    const HomologyClass* Class;
+  };
+
+  explicit Forest(int numberOfVertices)
+    : Neighbors(numberOfVertices)
+    , Potential(numberOfVertices)
+    , Parent(numberOfVertices, -1)
+    , Depth(numberOfVertices, -1)
+    , Distance(numberOfVertices, 0.0)
+  {
+  }
+
+  void Root()
+  {
+    for (std::size_t root = 0; root < this->Neighbors.size(); ++root)
+    {
+      if (this->Depth[root] >= 0 || this->Neighbors[root].empty())
+      {
+        continue;
+      }
+      this->Depth[root] = 0;
+      this->Potential[root].assign(this->Neighbors[root].front().Class->size(), 0);
+      std::vector<int> stack(1, static_cast<int>(root));
+      while (!stack.empty())
+      {
+        const int v = stack.back();
+        stack.pop_back();
+        for (const Link& link : this->Neighbors[v])
+        {
+          if (this->Depth[link.Neighbor] < 0)
+          {
+            this->Parent[link.Neighbor] = v;
+            this->Depth[link.Neighbor] = this->Depth[v] + 1;
+            this->Distance[link.Neighbor] = this->Distance[v] + link.Length;
+            this->Potential[link.Neighbor] = this->Potential[v];
+            ExclusiveOr(this->Potential[link.Neighbor], *link.Class);
+            stack.push_back(link.Neighbor);
+          }
+        }
+      }
+    }
+  }
+
+  double PathLength(int a, int b) const
+  {
+    const double ends = this->Distance[a] + this->Distance[b];
+    while (a != b)
+    {
+      int& deeper = this->Depth[a] >= this->Depth[b] ? a : b;
+      deeper = this->Parent[deeper];
+    }
+    return ends - 2.0 * this->Distance[a];
+  }
+
+  std::vector<std::vector<Link>> Neighbors;
+  std::vector<HomologyClass> Potential;
+  std::vector<int> Parent;
+  std::vector<int> Depth;
+  std::vector<double> Distance;
+};
 }
 
 CollapseComplex::CollapseComplex(const TriangleMesh& closedMesh)
@@ -250,23 +319,36 @@ void CollapseComplex::RemoveSpoke(int vertex, int neighbor)
   spokes.pop_back();
 }
 
-std::vector<int> CollapseComplex::GraphEdges() const
+std::vector<int> CollapseComplex::GraphEdges(const std::vector<Eigen::Vector3d>& position) const
 {
-  std::vector<int> alive;
+  struct Candidate
+  {
+    double Length;
+    int Edge;
+    bool operator<(const Candidate& other) const
+    {
+      return Length != other.Length ? Length < other.Length : Edge < other.Edge;
+    }
+  };
+  std::vector<Candidate> alive;
   for (int e = 0; e < this->NumberOfEdges(); ++e)
   {
     if (this->Edges[e].Alive)
     {
-      alive.push_back(e);
+      alive.push_back({ (position[this->Edges[e].A] - position[this->Edges[e].B]).norm(), e });
     }
   }
-  if (this->TriangleCount == 0)
+  std::vector<int> kept;
+  if (this->TriangleCount == 0 && this->ClosedLoops == this->GenusAtStart)
   {
-    return alive;
+    for (const Candidate& candidate : alive)
+    {
+      kept.push_back(candidate.Edge);
+    }
+    return kept;
   }
 
-  // Potentials along a spanning forest turn an edge's bits into the class of the loop it closes; it
-  // is kept if that class is independent of the ones kept before (Gauss elimination).
+  std::sort(alive.begin(), alive.end());
   std::vector<int> rank(this->Spokes.size(), 0);
   std::vector<int> parent(this->Spokes.size());
   boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
@@ -274,56 +356,37 @@ std::vector<int> CollapseComplex::GraphEdges() const
   {
     sets.make_set(v);
   }
-  std::vector<int> kept;
-  std::vector<int> others;
-  std::vector<std::vector<int>> treeEdges(this->Spokes.size());
-  for (const int e : alive)
+  Forest forest(this->NumberOfVertices());
+  std::vector<Candidate> others;
+  for (const Candidate& candidate : alive)
   {
-    const Edge& edge = this->Edges[e];
+    const Edge& edge = this->Edges[candidate.Edge];
     if (sets.find_set(edge.A) == sets.find_set(edge.B))
     {
-      others.push_back(e);
+      others.push_back(candidate);
       continue;
     }
     sets.union_set(edge.A, edge.B);
-    kept.push_back(e);
-    treeEdges[edge.A].push_back(e);
-    treeEdges[edge.B].push_back(e);
+    kept.push_back(candidate.Edge);
+    forest.Neighbors[edge.A].push_back({ edge.B, candidate.Length, &edge.Class });
+    forest.Neighbors[edge.B].push_back({ edge.A, candidate.Length, &edge.Class });
   }
-  std::vector<HomologyClass> potential(this->Spokes.size());
-  std::vector<char> reached(this->Spokes.size(), 0);
-  for (int root = 0; root < this->NumberOfVertices(); ++root)
+  forest.Root();
+
+  for (Candidate& candidate : others)
   {
-    if (reached[root] || !this->Alive[root])
-    {
-      continue;
-    }
-    reached[root] = 1;
-    potential[root] = HomologyClass(this->Edges.front().Class.size(), 0);
-    std::vector<int> stack(1, root);
-    while (!stack.empty())
-    {
-      const int v = stack.back();
-      stack.pop_back();
-      for (const int e : treeEdges[v])
-      {
-        const int neighbor = this->Edges[e].A == v ? this->Edges[e].B : this->Edges[e].A;
-        if (!reached[neighbor])
-        {
-          reached[neighbor] = 1;
-          potential[neighbor] = potential[v];
-          ExclusiveOr(potential[neighbor], this->Edges[e].Class);
-          stack.push_back(neighbor);
-        }
-      }
-    }
+    candidate.Length +=
+      forest.PathLength(this->Edges[candidate.Edge].A, this->Edges[candidate.Edge].B);
   }
+  std::sort(others.rbegin(), others.rend());
+  // Gauss elimination: an edge is kept if the class of its loop is independent of those before.
   std::vector<HomologyClass> basis;
-  for (const int e : others)
+  for (const Candidate& candidate : others)
   {
-    HomologyClass loop = this->Edges[e].Class;
-    ExclusiveOr(loop, potential[this->Edges[e].A]);
-    ExclusiveOr(loop, potential[this->Edges[e].B]);
+    const Edge& edge = this->Edges[candidate.Edge];
+    HomologyClass loop = edge.Class;
+    ExclusiveOr(loop, forest.Potential[edge.A]);
+    ExclusiveOr(loop, forest.Potential[edge.B]);
     for (const HomologyClass& element : basis)
     {
       if (HasBit(loop, LowestBit(element)))
@@ -331,10 +394,10 @@ std::vector<int> CollapseComplex::GraphEdges() const
         ExclusiveOr(loop, element);
       }
     }
-    if (!IsZero(loop))
+    if (!IsZero(loop) && static_cast<int>(basis.size()) < this->GenusAtStart)
     {
       basis.push_back(loop);
-      kept.push_back(e);
+      kept.push_back(candidate.Edge);
     }
   }
   return kept;

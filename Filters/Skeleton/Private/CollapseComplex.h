@@ -51,9 +51,10 @@ public:
   /// Merges `from` into `to` along `edge`.
   void Collapse(int from, int to, int edge);
 
-  /// The edges of a graph with as many independent loops as the complex has classes left: all that
-  /// are alive when no triangle is left, else a spanning forest and one edge for each class.
-  std::vector<int> GraphEdges() const;
+  /// The edges of the skeleton: all that are alive, if no triangle is left and as many loops were
+  /// closed as the genus, as it nearly always is. Else a shortest spanning forest, and of the edges
+  /// that close independent loops with it the genus with the longest ones.
+  std::vector<int> GraphEdges(const std::vector<Eigen::Vector3d>& position) const;
 
 private:
   void MoveTriangles(int from, int to);

@@ -181,8 +181,7 @@ private:
       const double length = (this->Position[from] - this->Position[to]).norm() +
         (this->Position[to] - this->Position[third]).norm() +
         (this->Position[third] - this->Position[from]).norm();
-      const double perimeter =
-        std::min({ this->MSP[from], this->MSP[to], this->MSP[third] });
+      const double perimeter = std::min({ this->MSP[from], this->MSP[to], this->MSP[third] });
       ratio = std::max(ratio, perimeter > 0.0 ? length / perimeter : length);
     }
     return ratio;
@@ -211,8 +210,7 @@ private:
     {
       return false;
     }
-    this->Collapse(
-      this->Complex.EdgeAt(bestEdge).A, this->Complex.EdgeAt(bestEdge).B, bestEdge);
+    this->Collapse(this->Complex.EdgeAt(bestEdge).A, this->Complex.EdgeAt(bestEdge).B, bestEdge);
     return true;
   }
 
@@ -248,7 +246,7 @@ SkeletonGraph CollapseToGraph(const TriangleMesh& closedMesh,
       nodeOfVertex[v] = static_cast<int>(boost::add_vertex(std::move(node), graph));
     }
   }
-  for (const int e : complex.GraphEdges())
+  for (const int e : complex.GraphEdges(position))
   {
     const auto& edge = complex.EdgeAt(e);
     boost::add_edge(nodeOfVertex[edge.A], nodeOfVertex[edge.B], graph);

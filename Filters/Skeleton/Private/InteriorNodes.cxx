@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace marrow
 {
@@ -76,19 +77,25 @@ double Thickness(const TriangleMesh& mesh, int vertex, const Eigen::Vector3d& in
   return nearest;
 }
 
-Eigen::Vector3d NearestInside(const SkeletonNode& node, const TriangleMesh& mesh,
-  const std::vector<Eigen::Vector3d>& normals)
+Eigen::Vector3d NearestInside(
+  const SkeletonNode& node, const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& normals)
 {
   // In the middle of the wall below one of the nearest vertices.
   constexpr int Samples = 4;
   std::vector<int> order = node.Vertices;
+  if (order.empty())
+  {
+    order.resize(mesh.Points.size());
+    std::iota(order.begin(), order.end(), 0);
+  }
   const auto distance = [&](int v) { return (mesh.Points[v] - node.Position).squaredNorm(); };
   std::sort(order.begin(), order.end(),
     [&](int a, int b) { return distance(a) != distance(b) ? distance(a) < distance(b) : a < b; });
   for (int i = 0; i < Samples; ++i)
   {
-    // From near to far, the nearest half of φ.
-    const int v = order[order.size() * i / (2 * Samples)];
+    // From near to far; half of φ at most, or as many vertices as are likely to be of one ring.
+    const std::size_t reach = std::min<std::size_t>(order.size(), 64);
+    const int v = order[reach * i / (2 * Samples)];
     const double thickness = Thickness(mesh, v, -normals[v]);
     const Eigen::Vector3d candidate = mesh.Points[v] - 0.5 * thickness * normals[v];
     if (std::isfinite(thickness) && WindingNumber(mesh, candidate) > 0.5)
@@ -127,8 +134,7 @@ void MoveNodesInside(Skeleton& skeleton, const TriangleMesh& mesh)
       for (int n = first; n < last; ++n)
       {
         SkeletonNode& node = skeleton.Graph[n];
-        if (!node.Vertices.empty() && !RaysSayInside(mesh, node.Position) &&
-          WindingNumber(mesh, node.Position) < 0.5)
+        if (!RaysSayInside(mesh, node.Position) && WindingNumber(mesh, node.Position) < 0.5)
         {
           node.Position = NearestInside(node, mesh, normals);
         }

@@ -47,8 +47,8 @@ Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& me
 
   const ClosedMesh closed = CloseBorders(mesh, shrunk, measures.MSP);
   Skeleton skeleton;
-  skeleton.Graph = CollapseToGraph(
-    closed.Mesh, closed.Position, closed.MSP, SubProgress(progress, 0.3, 0.8));
+  skeleton.Graph =
+    CollapseToGraph(closed.Mesh, closed.Position, closed.MSP, SubProgress(progress, 0.3, 0.8));
   if (skeleton.NumberOfNodes() == 0)
   {
     return {};
@@ -66,8 +66,8 @@ Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& me
     skeleton.TotalLength() * LeastVerticesPerNode / std::max(1, mesh.NumberOfVertices());
   skeleton = ResampleBranches(skeleton, mesh, shrunk, weight, std::max(spacing, coarsest));
   SmoothBranches(skeleton, weight, measures.MSP);
-  MoveNodesInside(skeleton, mesh);
   ExtendTerminals(skeleton, mesh);
+  MoveNodesInside(skeleton, mesh);
   AverageMeasures(skeleton, mesh, measures);
   skeleton.MeshDiagonal = mesh.BoundingBoxDiagonal();
   skeleton.MeshMaximumMSP = *std::max_element(measures.MSP.begin(), measures.MSP.end());
@@ -75,8 +75,7 @@ Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& me
   return skeleton;
 }
 
-void AverageMeasures(
-  Skeleton& skeleton, const TriangleMesh& mesh, const SkeletonMeasures& measures)
+void AverageMeasures(Skeleton& skeleton, const TriangleMesh& mesh, const SkeletonMeasures& measures)
 {
   const int numberOfNodes = skeleton.NumberOfNodes();
   std::vector<int> empty;

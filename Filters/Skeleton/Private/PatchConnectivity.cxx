@@ -79,7 +79,9 @@ void JoinStrayPieces(const TriangleMesh& mesh, std::vector<int>& patchOfVertex)
         continue;
       }
       const int target = std::max_element(borders.begin(), borders.end(),
-        [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+        [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        })->first;
       for (const int v : piece.Vertices)
       {
         patchOfVertex[v] = target;

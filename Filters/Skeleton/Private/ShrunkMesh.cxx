@@ -73,8 +73,8 @@ double ClampedCotangent(const TriangleMesh& mesh, int halfEdge)
 }
 }
 
-std::vector<double> SliceReliability(const TriangleMesh& mesh, const std::vector<double>& msp,
-  const std::vector<unsigned char>& valid)
+std::vector<double> SliceReliability(
+  const TriangleMesh& mesh, const std::vector<double>& msp, const std::vector<unsigned char>& valid)
 {
   std::vector<double> reliability = SlopeLimited(mesh, msp);
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
@@ -112,7 +112,8 @@ std::vector<Eigen::Vector3d> ShrinkMesh(const TriangleMesh& mesh, const std::vec
   for (int v = 0; v < numberOfVertices; ++v)
   {
     // A point that no triangle uses keeps its own place: any positive weight does.
-    const double weight = area[v] > 0.0 ? area[v] * std::max(reliability[v], LeastReliability) : 1.0;
+    const double weight =
+      area[v] > 0.0 ? area[v] * std::max(reliability[v], LeastReliability) : 1.0;
     const Eigen::Vector3d& target = area[v] > 0.0 ? sliceCenter[v] : mesh.Points[v];
     entries.emplace_back(v, v, diagonal[v] + weight);
     right.row(v) = weight * target.transpose();

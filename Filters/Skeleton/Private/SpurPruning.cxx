@@ -192,8 +192,8 @@ int WidestGap(const std::vector<double>& significances)
 }
 }
 
-void PruneSpurs(Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<double>& msp,
-  double finestArea)
+void PruneSpurs(
+  Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<double>& msp, double finestArea)
 {
   const Pruner pruner(mesh, msp, finestArea);
   Skeleton trial = skeleton;

@@ -20,8 +20,8 @@ namespace marrow
 /// Both are ratios: neither units nor resolution matter. Where to stop is not at 1 sharp but in the
 /// widest gap of the significances within a factor 1.6 of it, so that alike branches (the toes of a
 /// foot) stay or go together.
-void PruneSpurs(Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<double>& msp,
-  double finestArea);
+void PruneSpurs(
+  Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<double>& msp, double finestArea);
 }
 
 #endif

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorObserver.h"
+#include "InteriorNodes.h"
+#include "MeshCheck.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkAppendPolyData.h>
+#include <vtkDoubleArray.h>
+#include <vtkMSPField.h>
+#include <vtkMSPSkeleton.h>
+#include <vtkSMPTools.h>
+
+#include <cmath>
+#include <set>
+
+namespace
+{
+using namespace marrow;
+
+struct Result
+{
+  marrow::Skeleton Skeleton;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkSmartPointer<vtkPolyData> PolyData;
+  int Terminals = 0;
+};
+
+Result Skeletonize(vtkPolyData* mesh, double finestArea = -1.0)
+{
+  vtkNew<vtkMSPSkeleton> filter;
+  if (finestArea >= 0.0)
+  {
+    filter->SetFinestArea(finestArea);
+  }
+  filter->SetInputData(mesh);
+  filter->Update();
+  Result result;
+  result.PolyData = filter->GetOutput(0);
+  result.Mesh = filter->GetOutput(1);
+  EXPECT_EQ(ToSkeleton(result.PolyData, result.Skeleton), "");
+  std::vector<int> node;
+  EXPECT_TRUE(GetArray(result.Mesh->GetPointData(), names::SkeletonNodeId,
+    static_cast<int>(mesh->GetNumberOfPoints()), node));
+  EXPECT_TRUE(SetNodeOfVertices(result.Skeleton, node));
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    result.Terminals += result.Skeleton.TypeOf(n) == NodeType::Terminal;
+  }
+  return result;
+}
+
+TEST(MSPSkeleton, CylinderGivesItsAxis)
+{
+  const double length = 12.0;
+  const Result result = Skeletonize(test::ToPolyData(test::MakeCylinder(1.0, length, 40, 100)));
+  EXPECT_EQ(result.Terminals, 2);
+  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
+  EXPECT_GT(result.Skeleton.TotalLength(), 0.85 * length);
+  EXPECT_LT(result.Skeleton.TotalLength(), 1.02 * length);
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    const SkeletonNode& node = result.Skeleton.Graph[n];
+    EXPECT_LT(std::hypot(node.Position.x(), node.Position.y()), 0.05);
+    if (std::abs(node.Position.z()) < 0.35 * length)
+    {
+      EXPECT_NEAR(node.Radius, 1.0, 0.05);
+      EXPECT_NEAR(node.MSP, 2.0 * test::Pi, 0.1);
+    }
+  }
+}
+
+TEST(MSPSkeleton, TorusGivesOneClosedBranch)
+{
+  const Result result = Skeletonize(test::ToPolyData(test::MakeTorus(3.0, 1.0, 80, 30)));
+  EXPECT_EQ(result.Terminals, 0);
+  EXPECT_EQ(result.Skeleton.NumberOfLoops(), 1);
+  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
+  EXPECT_TRUE(result.Skeleton.Branches[0].IsLoop());
+  EXPECT_NEAR(result.Skeleton.TotalLength(), 2.0 * test::Pi * 3.0, 0.05 * 2.0 * test::Pi * 3.0);
+}
+
+struct Expected
+{
+  int Shape;
+  int Terminals;
+  int Loops;
+};
+
+class Creatures : public testing::TestWithParam<Expected>
+{
+};
+
+TEST_P(Creatures, TerminalsAreTheExtremities)
+{
+  for (int seed = 1; seed <= 4; ++seed)
+  {
+    test::CreatureOptions options;
+    options.Seed = seed;
+    options.Pose = seed == 1 ? 0.0 : 0.7;
+    options.Proportion = seed == 1 ? 0.0 : 0.7;
+    options.Faces = seed % 2 == 0 ? 5000 : 12000;
+    const test::Creature creature = test::MakeCreature(GetParam().Shape, options);
+    const Result result = Skeletonize(creature.Mesh);
+    EXPECT_EQ(result.Terminals, GetParam().Terminals) << "seed " << seed;
+    EXPECT_EQ(result.Skeleton.NumberOfLoops(), GetParam().Loops) << "seed " << seed;
+    EXPECT_EQ(result.Skeleton.NumberOfComponents(), 1) << "seed " << seed;
+
+    // Each terminal has its own extremity: it is close to one known terminal and to no other's.
+    marrow::Skeleton known;
+    marrow::SkeletonGraph graph;
+    std::set<int> found;
+    const vtkIdType numberOfKnown = creature.Skeleton->GetNumberOfPoints();
+    std::vector<int> type;
+    ASSERT_TRUE(GetArray(
+      creature.Skeleton->GetPointData(), names::NodeType, static_cast<int>(numberOfKnown), type));
+    for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+    {
+      if (result.Skeleton.TypeOf(n) != NodeType::Terminal)
+      {
+        continue;
+      }
+      int nearest = -1;
+      double distance = 0.0;
+      for (vtkIdType k = 0; k < numberOfKnown; ++k)
+      {
+        Eigen::Vector3d point;
+        creature.Skeleton->GetPoint(k, point.data());
+        const double d = (point - result.Skeleton.Graph[n].Position).norm();
+        if (type[k] == 1 && (nearest < 0 || d < distance))
+        {
+          nearest = static_cast<int>(k);
+          distance = d;
+        }
+      }
+      found.insert(nearest);
+      EXPECT_LT(distance, 0.08 * result.Skeleton.MeshDiagonal) << "seed " << seed;
+    }
+    EXPECT_EQ(static_cast<int>(found.size()), GetParam().Terminals) << "seed " << seed;
+  }
+}
+
+TEST_P(Creatures, NodesAreInsideAndPatchesArePartsOfTheMesh)
+{
+  const test::Creature creature = test::MakeCreature(GetParam().Shape);
+  const Result result = Skeletonize(creature.Mesh);
+  TriangleMesh mesh;
+  ASSERT_EQ(ToTriangleMesh(creature.Mesh, mesh), "");
+
+  std::vector<int> owner(mesh.Points.size(), -1);
+  int inside = 0;
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    const SkeletonNode& node = result.Skeleton.Graph[n];
+    inside += WindingNumber(mesh, node.Position) > 0.5;
+    for (const int v : node.Vertices)
+    {
+      owner[v] = n;
+    }
+  }
+  EXPECT_EQ(inside, result.Skeleton.NumberOfNodes());
+
+  // Every vertex has a node, and each φ hangs together on the mesh.
+  std::vector<char> seen(mesh.Points.size(), 0);
+  std::vector<int> pieces(result.Skeleton.NumberOfNodes(), 0);
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    ASSERT_GE(owner[v], 0) << "vertex " << v;
+    if (seen[v])
+    {
+      continue;
+    }
+    ++pieces[owner[v]];
+    std::vector<int> stack(1, v);
+    seen[v] = 1;
+    while (!stack.empty())
+    {
+      const int at = stack.back();
+      stack.pop_back();
+      mesh.ForEachNeighbor(at,
+        [&](int neighbor)
+        {
+          if (!seen[neighbor] && owner[neighbor] == owner[at])
+          {
+            seen[neighbor] = 1;
+            stack.push_back(neighbor);
+          }
+        });
+    }
+  }
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    EXPECT_LE(pieces[n], 1) << "node " << n;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(MSPSkeleton, Creatures,
+  testing::Values(Expected{ vtkCreatureSource::BIPED, 5, 0 },
+    Expected{ vtkCreatureSource::QUADRUPED, 6, 0 }, Expected{ vtkCreatureSource::OCTOPUS, 9, 0 },
+    Expected{ vtkCreatureSource::CHAIR, 4, 3 }, Expected{ vtkCreatureSource::SNAKE, 2, 0 },
+    Expected{ vtkCreatureSource::CAPSULE, 2, 0 }),
+  [](const auto& instance) { return "Shape" + std::to_string(instance.param.Shape); });
+
+TEST(MSPSkeleton, TheSameOnAnyNumberOfThreads)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::QUADRUPED);
+  std::vector<vtkSmartPointer<vtkPolyData>> results;
+  for (const int threads : { 1, 2, 4 })
+  {
+    vtkSMPTools::Initialize(threads);
+    results.push_back(Skeletonize(creature.Mesh).PolyData);
+  }
+  vtkSMPTools::Initialize();
+  for (const auto& other : results)
+  {
+    ASSERT_EQ(other->GetNumberOfPoints(), results[0]->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        ASSERT_EQ(other->GetPoint(i)[k], results[0]->GetPoint(i)[k]);
+      }
+    }
+  }
+}
+
+TEST(MSPSkeleton, TurnsScalesAndDoesNotDependOnTheOrder)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::QUADRUPED);
+  const Result reference = Skeletonize(creature.Mesh);
+  const Eigen::AngleAxisd turn(1.1, Eigen::Vector3d(1.0, 2.0, -0.5).normalized());
+  const Result turned = Skeletonize(test::Transformed(
+    creature.Mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 7.0 * (turn * p); }));
+  const Result permuted = Skeletonize(test::Permuted(creature.Mesh, 5).Mesh);
+  for (const Result* other : { &turned, &permuted })
+  {
+    EXPECT_EQ(other->Terminals, reference.Terminals);
+    EXPECT_EQ(other->Skeleton.NumberOfBranches(), reference.Skeleton.NumberOfBranches());
+    const double scale = other == &turned ? 7.0 : 1.0;
+    EXPECT_NEAR(other->Skeleton.TotalLength() / scale, reference.Skeleton.TotalLength(),
+      0.03 * reference.Skeleton.TotalLength());
+  }
+}
+
+TEST(MSPSkeleton, NoiseGrowsNoBranches)
+{
+  test::CreatureOptions options;
+  options.Noise = 0.004;
+  options.Faces = 10000;
+  EXPECT_EQ(
+    Skeletonize(test::MakeCreature(vtkCreatureSource::QUADRUPED, options).Mesh).Terminals, 6);
+}
+
+TEST(MSPSkeleton, FinestAreaDecidesWhatIsALimb)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::QUADRUPED);
+  // Nothing is worth a branch: only the two ends of the longest path stay.
+  EXPECT_LE(Skeletonize(creature.Mesh, 1.0).Terminals, 2);
+  EXPECT_GE(Skeletonize(creature.Mesh, 0.0001).Terminals, 6);
+}
+
+TEST(MSPSkeleton, AnOpenMeshIsTreatedLikeTheClosedOne)
+{
+  TriangleMesh mesh = test::MakeCylinder(1.0, 12.0, 40, 100);
+  // Take one cap off.
+  TriangleMesh open;
+  open.Points = mesh.Points;
+  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    if (mesh.Centroid(t).z() < 6.0 - 1e-9)
+    {
+      open.Triangles.push_back(mesh.Triangles[t]);
+    }
+  }
+  const Result result = Skeletonize(test::ToPolyData(open));
+  EXPECT_EQ(result.Terminals, 2);
+  EXPECT_EQ(result.Skeleton.NumberOfLoops(), 0);
+  EXPECT_GT(result.Skeleton.TotalLength(), 0.85 * 12.0);
+}
+
+TEST(MSPSkeleton, ComponentsGiveSkeletonsOfTheirOwn)
+{
+  const auto one = test::ToPolyData(test::MakeCylinder(1.0, 10.0, 24, 60));
+  const auto two = test::Transformed(
+    one, [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return p + Eigen::Vector3d(9, 0, 0); });
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(one);
+  append->AddInputData(two);
+  append->Update();
+  const Result result = Skeletonize(append->GetOutput());
+  EXPECT_EQ(result.Skeleton.NumberOfComponents(), 2);
+  EXPECT_EQ(result.Terminals, 4);
+}
+
+TEST(MSPSkeleton, UsesTheMeasuresThatAreThere)
+{
+  const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 10.0, 24, 60));
+  vtkNew<vtkMSPField> field;
+  field->SetInputData(mesh);
+  field->Update();
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(field->GetOutput());
+  vtkDataArray* agd = changed->GetPointData()->GetArray(names::AGD);
+  agd->Fill(0.625);
+  const Result result = Skeletonize(changed);
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    EXPECT_DOUBLE_EQ(result.Skeleton.Graph[n].AGD, 0.625);
+  }
+}
+
+TEST(MSPSkeleton, KeepsTheUsersArraysAndNumbers)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
+  const Result result = Skeletonize(creature.Mesh);
+  EXPECT_EQ(result.Mesh->GetCellData()->GetArray(names::SegmentId),
+    creature.Mesh->GetCellData()->GetArray(names::SegmentId));
+  EXPECT_EQ(result.Mesh->GetPoints(), creature.Mesh->GetPoints());
+}
+
+TEST(MSPSkeleton, SaysWhatIsWrong)
+{
+  vtkNew<vtkMSPSkeleton> filter;
+  test::ErrorObserver errors(filter);
+
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("The mesh is empty")) << errors.Text();
+
+  errors.Clear();
+  TriangleMesh threeSheets = test::MakeSphere(1.0, 1);
+  threeSheets.Points.push_back(Eigen::Vector3d(3, 0, 0));
+  threeSheets.Triangles.push_back({ threeSheets.Triangles[0][0], threeSheets.Triangles[0][1],
+    threeSheets.NumberOfVertices() - 1 });
+  filter->SetInputData(test::ToPolyData(threeSheets));
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("1 edge with more than two triangles")) << errors.Text();
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+
+  errors.Clear();
+  const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 10.0, 12, 20));
+  vtkNew<vtkMSPField> field;
+  field->SetInputData(mesh);
+  field->Update();
+  vtkNew<vtkPolyData> broken;
+  broken->DeepCopy(field->GetOutput());
+  broken->GetPointData()->GetArray(names::MSP)->SetTuple1(7, std::nan(""));
+  filter->SetInputData(broken);
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("\"MSP\" of the mesh is not finite at point 7")) << errors.Text();
+}
+
+TEST(MSPSkeleton, StopsWhenAsked)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
+  vtkNew<vtkMSPSkeleton> filter;
+  filter->SetInputData(creature.Mesh);
+  struct Abort : vtkCommand
+  {
+    static Abort* New() { return new Abort; }
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  };
+  vtkNew<Abort> abort;
+  filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+}
+}
