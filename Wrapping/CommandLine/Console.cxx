@@ -82,7 +82,8 @@ void Console::ThrowIfError(const std::string& title)
   warnings.swap(this->Recorder->Warnings);
   if (!error.empty())
   {
-    throw CommandError(title + ": " + error);
+    const bool isNamed = error.find(title) != std::string::npos;
+    throw CommandError(isNamed ? error : title + ": " + error);
   }
   for (const std::string& warning : warnings)
   {
