@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_GhostBoundary_h
+#define marrow_GhostBoundary_h
+
+#include "AnalyzedMesh.h"
+#include "SkeletonMap.h"
+
+#include <vector>
+
+namespace marrow
+{
+/// A place on a chain where the thickness changes: a boundary that a segmentation would be likely to
+/// have, used as a landmark (T:4.1).
+struct GhostBoundary
+{
+  double Ratio = 0.0;    ///< where along the chain
+  double Strength = 0.0; ///< mean |∇MSP| along the cut over the largest |∇MSP| of the mesh
+};
+
+/// The profile is the mean |∇MSP| over φ of the nodes along the chain, smoothed by a Gaussian of
+/// standard deviation `kernel` (of the chain's length). A local maximum counts if it is at least
+/// `theta` times the lowest values on both its sides (up to where the profile rises above it). The
+/// triangles within 1.5 kernels to both sides are its fuzzy region; the minimum cut through it, with
+/// capacity length / (|∇MSP| + 0.001), is the ghost boundary.
+std::vector<GhostBoundary> FindGhostBoundaries(
+  const AnalyzedMesh& side, const Branch& chain, double theta, double kernel);
+
+/// The pair of least cost C_b; not valid if either list is empty or no pair leaves both halves of
+/// both chains a length.
+SkeletonMap::Anchor MatchGhostBoundaries(
+  const std::vector<GhostBoundary>& source, const std::vector<GhostBoundary>& target);
+}
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_GuidedMap_h
+#define marrow_GuidedMap_h
+
+#include "AnalyzedMesh.h"
+#include "Progress.h"
+#include "SegmentLoops.h"
+#include "SkeletonMap.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace marrow
+{
+/// Where every vertex of the target lies on the source, by the skeletons alone: good for any
+/// boundary, round one branch, several or none, but only as exact as the skeletons.
+struct GuidedMap
+{
+  std::vector<Eigen::Vector3d> Positions; ///< per target vertex, in the source's space
+  std::vector<int> SourceTriangle;        ///< per target vertex, the best match there
+  std::vector<double> Certainty;          ///< per target vertex: 1 on matched branches, else less
+  /// Target vertices x source pieces: how likely the vertex belongs to the piece. Rows sum to 1.
+  Eigen::MatrixXd Shares;
+  double Width = 0.0; ///< over which shares change at a boundary, in the target's units
+};
+
+/// Each target vertex is carried by the transformation of its node (SkeletonMap::Place), smoothed
+/// over the surface so that joints blend; there the nearest triangles of the source with a like
+/// normal and a near place on the skeleton are looked up. Displacements to what was found, smoothed,
+/// then correct the positions and the search is repeated once: proportions that the skeleton does
+/// not show (the depth of a chest) are taken up by that. The shares of the pieces are at last
+/// smoothed over a fraction of the local radius, as the map is no more exact than that.
+///
+/// Pieces with `isTransferred` false are skipped: their place goes to their neighbours.
+/// Without any matched chain the target is aligned as a whole, by principal axes.
+GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const SkeletonMap& map, bool anyMatched, const SegmentPieces& pieces,
+  const std::vector<bool>& isTransferred, const Progress& progress);
+}
+
+#endif

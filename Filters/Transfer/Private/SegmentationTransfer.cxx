@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SegmentationTransfer.h"
+
+#include "BoundaryPairs.h"
+#include "BoundaryTransfer.h"
+#include "GhostBoundary.h"
+#include "GuidedMap.h"
+#include "InteriorLabels.h"
+#include "LabelCleanUp.h"
+#include "RegionMatch.h"
+#include "SegmentLoops.h"
+#include "SkeletonMap.h"
+
+#include <algorithm>
+#include <set>
+
+namespace marrow
+{
+namespace
+{
+void SetAnchors(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, const TransferParameters& parameters, SkeletonMap& map)
+{
+  for (std::size_t c = 0; c < match.Chains.size(); ++c)
+  {
+    const auto sourceGhosts =
+      FindGhostBoundaries(source, match.Chains[c].Source, parameters.Theta, parameters.Kernel);
+    if (!sourceGhosts.empty())
+    {
+      map.SetAnchor(static_cast<int>(c),
+        MatchGhostBoundaries(sourceGhosts,
+          FindGhostBoundaries(
+            target, match.Chains[c].Target, parameters.Theta, parameters.Kernel)));
+    }
+  }
+}
+
+/// Pieces that lie for the most part on matched branches.
+std::vector<bool> TransferredPieces(
+  const AnalyzedMesh& source, const SegmentPieces& pieces, const SkeletonMap& map, bool anyMatched)
+{
+  if (!anyMatched)
+  {
+    return std::vector<bool>(pieces.NumberOfPieces(), true);
+  }
+  const std::vector<bool> isMatched = map.MatchedSourceNodes();
+  std::vector<double> matched(pieces.NumberOfPieces(), 0.0);
+  for (int t = 0; t < source.Mesh.NumberOfTriangles(); ++t)
+  {
+    const double third = source.Mesh.Area(t) / 3.0;
+    for (int corner : source.Mesh.Triangles[t])
+    {
+      const int node = source.NodeOfVertex[corner];
+      matched[pieces.PieceOfTriangle[t]] += node >= 0 && isMatched[node] ? third : 0.0;
+    }
+  }
+  std::vector<bool> result(pieces.NumberOfPieces());
+  for (int p = 0; p < pieces.NumberOfPieces(); ++p)
+  {
+    result[p] = matched[p] >= 0.5 * pieces.AreaOfPiece[p];
+  }
+  // If no piece qualifies there is nothing better than to try them all.
+  return std::count(result.begin(), result.end(), true) > 0
+    ? result
+    : std::vector<bool>(pieces.NumberOfPieces(), true);
+}
+
+/// What each region of the target may be: the pieces of its partner on the source.
+AllowedPieces PiecesOfRegions(const SegmentPieces& pieces, const RegionMatch& match,
+  const std::vector<bool>& isTransferred, bool largestOnly)
+{
+  std::vector<std::set<int>> ofSourceRegion;
+  for (std::size_t t = 0; t < match.SourceRegionOfTriangle.size(); ++t)
+  {
+    const int piece = pieces.PieceOfTriangle[t];
+    const std::size_t region = static_cast<std::size_t>(match.SourceRegionOfTriangle[t]);
+    if (isTransferred[piece])
+    {
+      ofSourceRegion.resize(std::max(ofSourceRegion.size(), region + 1));
+      ofSourceRegion[region].insert(piece);
+    }
+  }
+  AllowedPieces allowed;
+  for (int region : match.SourceRegion)
+  {
+    allowed.emplace_back();
+    if (region >= 0 && region < static_cast<int>(ofSourceRegion.size()))
+    {
+      allowed.back().assign(ofSourceRegion[region].begin(), ofSourceRegion[region].end());
+    }
+    if (largestOnly && allowed.back().size() > 1)
+    {
+      allowed.back().assign(1,
+        *std::max_element(allowed.back().begin(), allowed.back().end(),
+          [&](int a, int b) { return pieces.AreaOfPiece[a] < pieces.AreaOfPiece[b]; }));
+    }
+  }
+  return allowed;
+}
+
+double ShareOf(const AnalyzedMesh& target, const GuidedMap& map, int triangle, int piece)
+{
+  const auto& corners = target.Mesh.Triangles[triangle];
+  return (map.Shares(corners[0], piece) + map.Shares(corners[1], piece) +
+           map.Shares(corners[2], piece)) /
+    3.0;
+}
+
+/// A piece so small that the cut lost it gets the triangles where the map sees it best, but never
+/// more than half of what another piece has.
+void RestoreLostPieces(const AnalyzedMesh& target, const GuidedMap& map,
+  const std::vector<bool>& isTransferred, std::vector<int>& pieceOfTriangle)
+{
+  const int n = static_cast<int>(pieceOfTriangle.size());
+  std::vector<int> count(isTransferred.size(), 0);
+  for (int piece : pieceOfTriangle)
+  {
+    ++count[piece];
+  }
+  for (int piece = 0; piece < static_cast<int>(isTransferred.size()); ++piece)
+  {
+    if (!isTransferred[piece] || count[piece] > 0)
+    {
+      continue;
+    }
+    double largest = 0.0;
+    for (int t = 0; t < n; ++t)
+    {
+      largest = std::max(largest, ShareOf(target, map, t, piece));
+    }
+    constexpr double leastShare = 0.1;
+    if (largest < leastShare)
+    {
+      continue;
+    }
+    std::vector<int> left = count;
+    for (int t = 0; t < n; ++t)
+    {
+      int& current = pieceOfTriangle[t];
+      if (ShareOf(target, map, t, piece) >= 0.5 * largest &&
+        2 * (left[current] - 1) >= count[current])
+      {
+        --left[current];
+        ++left[piece];
+        current = piece;
+      }
+    }
+    count = left;
+  }
+}
+
+void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const SegmentPieces& pieces,
+  double correspondenceConfidence, TransferResult& result)
+{
+  result.Confidence.resize(result.Labels.size());
+  for (std::size_t t = 0; t < result.Labels.size(); ++t)
+  {
+    double share = 0.0;
+    for (int piece = 0; piece < pieces.NumberOfPieces(); ++piece)
+    {
+      if (pieces.LabelOfPiece[piece] == result.Labels[t])
+      {
+        share += ShareOf(target, map, static_cast<int>(t), piece);
+      }
+    }
+    double certainty = 0.0;
+    for (int corner : target.Mesh.Triangles[t])
+    {
+      certainty += map.Certainty[corner] / 3.0;
+    }
+    result.Confidence[t] = std::clamp(
+      correspondenceConfidence * (0.5 + 0.5 * certainty) * std::clamp(share, 0.0, 1.0), 0.0, 1.0);
+  }
+}
+
+void SetMissing(
+  const SegmentPieces& pieces, const std::vector<int>& pieceOfTriangle, TransferResult& result)
+{
+  const std::set<int> present(pieceOfTriangle.begin(), pieceOfTriangle.end());
+  std::set<int> missing(pieces.LabelOfPiece.begin(), pieces.LabelOfPiece.end());
+  for (int piece : present)
+  {
+    missing.erase(pieces.LabelOfPiece[piece]);
+  }
+  result.MissingLabels.assign(missing.begin(), missing.end());
+  result.NumberOfMissingPieces = pieces.NumberOfPieces() - static_cast<int>(present.size());
+}
+}
+
+TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, double correspondenceConfidence, const std::vector<int>& labels,
+  const TransferParameters& parameters, const Progress& progress)
+{
+  TransferResult result;
+  const auto goesOn = [&](double fraction)
+  {
+    result.IsAborted = result.IsAborted || !Report(progress, fraction);
+    return !result.IsAborted;
+  };
+  const SegmentPieces pieces = FindPieces(source.Mesh, labels);
+  const std::vector<SegmentLoop> loops = FindLoops(source.Mesh, pieces);
+  SkeletonMap map(source, target, match);
+  SetAnchors(source, target, match, parameters, map);
+  const bool anyMatched = !match.IsEmpty();
+  const std::vector<bool> isTransferred = TransferredPieces(source, pieces, map, anyMatched);
+  if (!goesOn(0.1))
+  {
+    return result;
+  }
+
+  const GuidedMap guided = BuildGuidedMap(
+    source, target, map, anyMatched, pieces, isTransferred, SubProgress(progress, 0.1, 0.5));
+  if (!goesOn(0.5))
+  {
+    return result;
+  }
+
+  std::vector<LoopCut> cuts;
+  BoundaryTransfer transfer(
+    source, target, match, map, { parameters.Lambda, parameters.SearchRegion });
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if (!goesOn(0.5 + 0.2 * i / loops.size()))
+    {
+      return result;
+    }
+    if (!isTransferred[loops[i].LeftPiece] || !isTransferred[loops[i].RightPiece])
+    {
+      continue;
+    }
+    if (const auto seat = transfer.FindSeat(loops[i]))
+    {
+      if (auto cut = transfer.Transfer(loops[i], *seat))
+      {
+        cuts.push_back({ static_cast<int>(i), std::move(*cut) });
+      }
+    }
+  }
+  const RegionMatch regions = MatchRegions(source.Mesh, target.Mesh, loops, cuts);
+  const AllowedPieces allowed =
+    PiecesOfRegions(pieces, regions, isTransferred, parameters.StrictBoundaries);
+  std::vector<int> pieceOfTriangle = LabelInterior(
+    target, guided, regions.RegionOfTriangle, allowed, SubProgress(progress, 0.7, 0.9));
+  if (!goesOn(0.9))
+  {
+    return result;
+  }
+  KeepLargestComponents(target.Mesh, pieceOfTriangle);
+  if (!parameters.StrictBoundaries)
+  {
+    RestoreLostPieces(target, guided, isTransferred, pieceOfTriangle);
+    KeepLargestComponents(target.Mesh, pieceOfTriangle);
+  }
+
+  result.Labels.reserve(pieceOfTriangle.size());
+  for (int piece : pieceOfTriangle)
+  {
+    result.Labels.push_back(pieces.LabelOfPiece[piece]);
+  }
+  SetConfidence(target, guided, pieces, correspondenceConfidence, result);
+  SetMissing(pieces, pieceOfTriangle, result);
+  result.Boundaries = PairBoundaries(source, target, pieces, loops, cuts, guided, pieceOfTriangle);
+  goesOn(1.0);
+  return result;
+}
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_SegmentationTransfer_h
+#define marrow_SegmentationTransfer_h
+
+#include "AnalyzedMesh.h"
+#include "MatchedSkeletons.h"
+#include "Progress.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace marrow
+{
+/// What can be set about a transfer; names and defaults are the transfer paper's.
+struct TransferParameters
+{
+  double Theta = 1.5;            ///< how far a ghost boundary stands out
+  double Kernel = 0.05;          ///< K, smoothing of profiles, of the chain's length
+  double Lambda = 0.1;           ///< λ, tolerance of dihedral angles, radians
+  double SearchRegion = 0.02;    ///< of the snake, of the longest geodesic distance
+  bool StrictBoundaries = false; ///< only boundaries that enclose one branch are transferred
+};
+
+/// A boundary of the source and, if it was transferred, of the target.
+struct BoundaryPair
+{
+  int LeftLabel = 0;
+  int RightLabel = 0;
+  std::vector<Eigen::Vector3d> SourcePoints; ///< in order, not closed by a repeated point
+  std::vector<Eigen::Vector3d> TargetPoints; ///< the corresponding ones; empty if not transferred
+  bool IsStrict = false;                     ///< placed by its branch, not by the guided map
+};
+
+/// A segmentation carried over.
+struct TransferResult
+{
+  std::vector<int> Labels;        ///< per target triangle
+  std::vector<double> Confidence; ///< per target triangle, [0,1]
+  std::vector<BoundaryPair> Boundaries;
+  std::vector<int> MissingLabels; ///< labels of the source that the target has not got, ascending
+  int NumberOfMissingPieces = 0;  ///< pieces of the source without a place on the target
+  bool IsAborted = false;
+};
+
+/// Carries the labels of the source's triangles to the target's (T:4, with the guided map for what
+/// the paper leaves out). `correspondenceConfidence` is how far `match` can be trusted, in [0,1].
+TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, double correspondenceConfidence, const std::vector<int>& labels,
+  const TransferParameters& parameters, const Progress& progress);
+}
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_SkeletonMap_h
+#define marrow_SkeletonMap_h
+
+#include "AnalyzedMesh.h"
+#include "MatchedSkeletons.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace marrow
+{
+/// How the space round the target's skeleton lies to that round the source's.
+///
+/// For every matched chain it gives the rotation that carries directions, found as in the transfer
+/// paper (T:4.2): shape matching of the matched branch vectors at the junctions, then the chain's own
+/// direction aligned. The paper keeps the junction's frame all along the branch; here it is carried
+/// along both chains without twist, so that a bent limb's frame bends with it, and where both ends
+/// are junctions the two results are blended.
+class SkeletonMap
+{
+public:
+  SkeletonMap(
+    const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match);
+
+  /// A pair of places on one chain that are known to correspond (ghost boundaries, T:4.1).
+  struct Anchor
+  {
+    bool Valid = false;
+    double Source = 0.0;
+    double Target = 0.0;
+  };
+  void SetAnchor(int chain, const Anchor& anchor);
+
+  /// Equal ratios where there is no anchor; else linear on both sides of it.
+  double TargetRatio(int chain, double sourceRatio) const;
+  double SourceRatio(int chain, double targetRatio) const;
+
+  /// Turns target directions into source directions.
+  Eigen::Matrix3d Rotation(int chain, double sourceRatio) const;
+  /// Source radius over target radius there.
+  double RadialScale(int chain, double sourceRatio) const;
+  /// The rotation that fits the matched skeletons as wholes.
+  const Eigen::Matrix3d& GlobalRotation() const { return this->Global; }
+
+  /// Where a target node lies on the source.
+  struct Place
+  {
+    bool Known = false;   ///< false: its component has nothing matched
+    bool Matched = false; ///< false: it hangs on the place where its branch leaves the matched part
+    int SourceNode = -1;  ///< nearest node of the source
+    double Radius = 0.0;  ///< source radius there
+    Eigen::Matrix<double, 3, 4> Transform =
+      Eigen::Matrix<double, 3, 4>::Zero(); ///< target to source
+  };
+  /// One place per target node, after the anchors were set.
+  std::vector<Place> PlacesOfTargetNodes() const;
+  /// Whether a source node lies on a matched chain or is a matched node.
+  std::vector<bool> MatchedSourceNodes() const;
+
+private:
+  void ComputeGlobalRotation();
+  void ComputeChainFrames(int chain);
+  Eigen::Matrix3d EndRotation(int chain, bool back, int& numberOfVectors) const;
+  Place PlaceOnChain(int chain, double targetRatio) const;
+  Place PlaceOfEnds(int targetNode) const;
+
+  static constexpr int NumberOfSamples = 33;
+  struct ChainFrames
+  {
+    std::vector<Eigen::Matrix3d> Rotations;
+    std::vector<double> Scales;
+  };
+
+  const AnalyzedMesh& Source;
+  const AnalyzedMesh& Target;
+  const MatchedSkeletons& Match;
+  Eigen::Matrix3d Global = Eigen::Matrix3d::Identity();
+  std::vector<ChainFrames> Frames;
+  std::vector<Anchor> Anchors;
+};
+}
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_SourceSearch_h
+#define marrow_SourceSearch_h
+
+#include "AnalyzedMesh.h"
+#include "SegmentLoops.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace marrow
+{
+/// Finds the triangles of the source that are nearest to a place in space, have a like normal and
+/// belong to a near part of the skeleton: a hand on a hip does not find the hip.
+class SourceSearch
+{
+public:
+  /// Triangles of pieces with `isTransferred` false are not there to be found.
+  SourceSearch(const AnalyzedMesh& source, const SegmentPieces& pieces,
+    const std::vector<bool>& isTransferred);
+
+  struct Query
+  {
+    Eigen::Vector3d Position = Eigen::Vector3d::Zero();
+    Eigen::Vector3d Normal = Eigen::Vector3d::Zero();
+    int Node = -1;       ///< of the source's skeleton; -1 does not care
+    double Radius = 0.0; ///< the scale by which normals and nodes are weighed against distance
+  };
+  struct Answer
+  {
+    int Triangle = -1;
+    Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< its centroid
+    std::vector<std::pair<int, double>> Shares;         ///< of the pieces round it, sum 1
+  };
+  Answer Find(const Query& query) const;
+
+private:
+  using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+  using Value = std::pair<Point, int>;
+  using Tree = boost::geometry::index::rtree<Value, boost::geometry::index::rstar<16>>;
+
+  /// Distances along the skeleton between all nodes.
+  void ComputeNodeDistances(const Skeleton& skeleton);
+  double NodeDistance(int a, int b) const
+  {
+    return this->NodeDistances[a * this->NumberOfNodes + b];
+  }
+
+  const SegmentPieces& Pieces;
+  int NumberOfNodes = 0;
+  std::vector<double> NodeDistances;
+  std::vector<Eigen::Vector3d> Centroids;
+  std::vector<Eigen::Vector3d> Normals;
+  std::vector<int> NodeOfTriangle;
+  Tree Index;
+};
+}
+
+#endif

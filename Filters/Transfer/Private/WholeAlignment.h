@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_WholeAlignment_h
+#define marrow_WholeAlignment_h
+
+#include "TriangleMesh.h"
+
+#include <Eigen/Core>
+
+namespace marrow
+{
+/// The similarity that carries the target onto the source by centroid, size and principal axes; of
+/// the four ways to lay the axes the one that brings the surfaces closest. What is left to do for
+/// shapes whose skeletons have nothing in common.
+Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const TriangleMesh& target);
+}
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TransferInputs.h"
+
+#include "ArrayNames.h"
+#include "FilterSupport.h"
+#include "MeshBridge.h"
+#include "SkeletonBridge.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkMSPField.h>
+#include <vtkMSPSkeleton.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSkeletonCorrespondence.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow
+{
+namespace
+{
+constexpr const char* BranchCorrespondenceOrder = "BranchCorrespondenceOrder";
+constexpr const char* BranchCorrespondenceReversed = "BranchCorrespondenceReversed";
+constexpr const char* CorrespondenceConfidence = "CorrespondenceConfidence";
+
+vtkSmartPointer<vtkPolyData> OutputOf(vtkAlgorithm* filter, int port)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(filter->GetOutputDataObject(port));
+  return copy;
+}
+
+bool ReadMeasures(vtkPolyData* mesh, AnalyzedMesh& analyzed)
+{
+  vtkPointData* points = mesh->GetPointData();
+  const int size = static_cast<int>(mesh->GetNumberOfPoints());
+  std::vector<Eigen::Vector3d> gradient;
+  if (!GetArray(points, names::MSP, size, analyzed.MSP) ||
+    !GetArray(points, names::MSPGradient, size, gradient) ||
+    !GetArray(points, names::DihedralAngle, size, analyzed.DihedralAngle))
+  {
+    return false;
+  }
+  analyzed.GradientMagnitude.clear();
+  for (const auto& vector : gradient)
+  {
+    analyzed.GradientMagnitude.push_back(vector.norm());
+  }
+  return true;
+}
+
+std::string FiniteError(const std::vector<double>& values, const char* name)
+{
+  const auto bad = std::find_if_not(
+    values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  return bad == values.end()
+    ? std::string()
+    : std::string("the mesh's array \"") + name + "\" is not finite at point " +
+      std::to_string(bad - values.begin()) + ": remove the array, and it is computed anew.";
+}
+
+std::string ReadSkeleton(const TransferSide& side, AnalyzedMesh& analyzed)
+{
+  std::string error = ToSkeleton(side.Skeleton, analyzed.Skeleton);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const int numberOfVertices = analyzed.Mesh.NumberOfVertices();
+  if (!GetArray(
+        side.Mesh->GetPointData(), names::SkeletonNodeId, numberOfVertices, analyzed.NodeOfVertex))
+  {
+    return std::string("a skeleton is connected, but the mesh has no point array \"") +
+      names::SkeletonNodeId +
+      "\" that says which vertex belongs to which of its points: connect the second output of "
+      "vtkMSPSkeleton as the mesh, or no skeleton, and it is computed.";
+  }
+  if (!SetNodeOfVertices(analyzed.Skeleton, analyzed.NodeOfVertex))
+  {
+    const auto [least, most] =
+      std::minmax_element(analyzed.NodeOfVertex.begin(), analyzed.NodeOfVertex.end());
+    return std::string("the skeleton does not belong to the mesh: \"") + names::SkeletonNodeId +
+      "\" runs from " + std::to_string(*least) + " to " + std::to_string(*most) +
+      " but the skeleton has " + std::to_string(analyzed.Skeleton.NumberOfNodes()) +
+      " points; connect both outputs of one vtkMSPSkeleton.";
+  }
+  FillNodeOfVertex(analyzed.Mesh, analyzed.NodeOfVertex);
+  analyzed.Skeleton.MeshDiagonal = analyzed.Mesh.BoundingBoxDiagonal();
+  return {};
+}
+
+bool GetIds(vtkPolyData* skeleton, std::vector<int>& nodes, std::vector<int>& branches,
+  CorrespondenceIds::ChainOrder& order)
+{
+  const int numberOfNodes = static_cast<int>(skeleton->GetNumberOfPoints());
+  const int numberOfBranches = static_cast<int>(skeleton->GetNumberOfCells());
+  vtkCellData* cells = skeleton->GetCellData();
+  if (!GetArray(cells, BranchCorrespondenceOrder, numberOfBranches, order.Order) ||
+    !GetArray(cells, BranchCorrespondenceReversed, numberOfBranches, order.Reversed))
+  {
+    order = {};
+  }
+  return GetArray(skeleton->GetPointData(), names::CorrespondenceId, numberOfNodes, nodes) &&
+    GetArray(cells, names::BranchCorrespondenceId, numberOfBranches, branches);
+}
+}
+
+std::string CompleteSide(
+  vtkAlgorithm* outer, double from, double to, TransferSide& side, AnalyzedMesh& analyzed)
+{
+  MeshReport report;
+  std::string error = ToManifoldMesh(side.Mesh, analyzed.Mesh, report);
+  if (!error.empty())
+  {
+    return side.Role + ": " + error;
+  }
+  if (!side.Skeleton)
+  {
+    vtkNew<vtkMSPSkeleton> skeleton;
+    WatchInner(outer, skeleton, from, to);
+    skeleton->SetInputData(side.Mesh);
+    skeleton->Update();
+    side.Skeleton = OutputOf(skeleton, 0);
+    side.Mesh = OutputOf(skeleton, 1);
+  }
+  if (!ReadMeasures(side.Mesh, analyzed))
+  {
+    vtkNew<vtkMSPField> field;
+    WatchInner(outer, field, from, to);
+    field->SetInputData(side.Mesh);
+    field->Update();
+    side.Mesh = OutputOf(field, 0);
+  }
+  if (IsAborted(outer))
+  {
+    return {};
+  }
+  if (!ReadMeasures(side.Mesh, analyzed))
+  {
+    return side.Role +
+      ": the measures of the mesh could not be computed; see the message of "
+      "vtkMSPField or vtkMSPSkeleton.";
+  }
+  for (const auto& [values, name] :
+    { std::pair{ &analyzed.MSP, names::MSP }, { &analyzed.GradientMagnitude, names::MSPGradient },
+      { &analyzed.DihedralAngle, names::DihedralAngle } })
+  {
+    error = error.empty() ? FiniteError(*values, name) : error;
+  }
+  error = error.empty() ? ReadSkeleton(side, analyzed) : error;
+  return error.empty() ? error : side.Role + ": " + error;
+}
+
+std::string ReadCorrespondence(vtkAlgorithm* outer, double from, double to, TransferSide& source,
+  TransferSide& target, CorrespondenceIds& ids, double& confidence)
+{
+  const auto readBoth = [&]()
+  {
+    return GetIds(source.Skeleton, ids.SourceNodes, ids.SourceBranches, ids.SourceOrder) &&
+      GetIds(target.Skeleton, ids.TargetNodes, ids.TargetBranches, ids.TargetOrder);
+  };
+  if (!readBoth())
+  {
+    vtkNew<vtkSkeletonCorrespondence> correspondence;
+    WatchInner(outer, correspondence, from, to);
+    correspondence->SetInputData(0, source.Skeleton);
+    correspondence->SetInputData(1, target.Skeleton);
+    correspondence->Update();
+    if (IsAborted(outer))
+    {
+      return {};
+    }
+    source.Skeleton = OutputOf(correspondence, 0);
+    target.Skeleton = OutputOf(correspondence, 1);
+    if (!readBoth())
+    {
+      return "The skeletons could not be matched: see the message of vtkSkeletonCorrespondence.";
+    }
+  }
+  vtkDataArray* array = source.Skeleton->GetFieldData()->GetArray(CorrespondenceConfidence);
+  confidence =
+    array && array->GetNumberOfTuples() > 0 ? std::clamp(array->GetTuple1(0), 0.0, 1.0) : 1.0;
+  return {};
+}
+
+std::string ReadLabels(
+  vtkPolyData* mesh, vtkDataArray* array, const std::string& name, std::vector<int>& labels)
+{
+  if (!array)
+  {
+    std::string known;
+    vtkCellData* cells = mesh->GetCellData();
+    for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+    {
+      const char* other = cells->GetArrayName(i);
+      known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
+    }
+    return "Source: the mesh has no cell array \"" + name + "\" of segments; " +
+      (known.empty() ? "it has no cell arrays: read a .seg file with vtkSegReader."
+                     : "it has " + known + ": choose one with SetInputArrayToProcess.");
+  }
+  const vtkIdType numberOfCells = mesh->GetNumberOfCells();
+  if (array->GetNumberOfTuples() != numberOfCells || array->GetNumberOfComponents() != 1)
+  {
+    return "Source: the array \"" + name + "\" of segments has " +
+      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(array->GetNumberOfComponents()) + " components but the mesh has " +
+      std::to_string(numberOfCells) + " cells: give one integer per cell.";
+  }
+  labels.resize(numberOfCells);
+  for (vtkIdType i = 0; i < numberOfCells; ++i)
+  {
+    const double value = array->GetTuple1(i);
+    labels[i] = static_cast<int>(value);
+    if (static_cast<double>(labels[i]) != value)
+    {
+      return "Source: the array \"" + name + "\" of segments is no integer at cell " +
+        std::to_string(i) + ": give one integer per cell.";
+    }
+  }
+  return {};
+}
+}

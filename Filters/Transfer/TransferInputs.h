@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_TransferInputs_h
+#define marrow_TransferInputs_h
+
+#include "AnalyzedMesh.h"
+#include "MatchedSkeletons.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkPolyData;
+
+/// From what is connected to vtkSegmentationTransfer to what the algorithms read; what is not there
+/// is computed by the filters of the earlier stages. Functions return one sentence that says what is
+/// wrong, or an empty one.
+namespace marrow
+{
+/// One mesh with its skeleton, as VTK holds it.
+struct TransferSide
+{
+  std::string Role;                      ///< "Source" or "Target", for messages
+  vtkSmartPointer<vtkPolyData> Mesh;     ///< with all arrays, after Complete
+  vtkSmartPointer<vtkPolyData> Skeleton; ///< may be empty before Complete
+};
+
+/// Runs vtkMSPField and vtkMSPSkeleton inside `outer`, as far as needed, and fills `analyzed`.
+std::string CompleteSide(
+  vtkAlgorithm* outer, double from, double to, TransferSide& side, AnalyzedMesh& analyzed);
+
+/// Runs vtkSkeletonCorrespondence, if needed, and reads the ids and the confidence.
+std::string ReadCorrespondence(vtkAlgorithm* outer, double from, double to, TransferSide& source,
+  TransferSide& target, CorrespondenceIds& ids, double& confidence);
+
+/// The labels of the source's cells. `array` may be null: then the message names those there are.
+std::string ReadLabels(
+  vtkPolyData* mesh, vtkDataArray* array, const std::string& name, std::vector<int>& labels);
+}
+
+#endif

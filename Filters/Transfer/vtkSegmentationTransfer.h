@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSegmentationTransfer
+ * @brief   carries the segments of one mesh to another that is like it
+ *
+ * The method is that of S.-K. Wong, J.-A. Yang, T.-C. Ho, J.-H. Chuang, "A Skeleton-Based Approach
+ * for Consistent Segmentation Transfer" (2012). Every segment boundary that encloses one branch of
+ * the source's skeleton is placed on the matching branch of the target: where along it, by
+ * landmarks where the thickness changes (ghost boundaries); how it lies, by the frames of the
+ * matched branches; its shape, by cylindrical parameterizations of the surface round both; and a
+ * snake draws it to features of the surface. The boundaries cut the target, and the regions take
+ * their segments.
+ *
+ * What the paper leaves out is carried by a guided map: each target vertex is moved to the source's
+ * space with its part of the skeleton, and looks up the segments there; one graph cut over the
+ * target then settles the boundaries that enclose several branches or none, and those that found no
+ * closed place. The result is always a valid labelling: no face is without a segment, and each
+ * connected piece of a segment on the source is one connected piece on the target, or absent and
+ * reported.
+ *
+ * A segment that lies on branches without a partner is not guessed: its faces join the neighbour and
+ * a warning names it. If the skeletons have no matched branch at all, the meshes are aligned as
+ * wholes by their principal axes, with a warning and a confidence of at most 0.1.
+ *
+ * Ports in:
+ * - 0, source mesh: triangles; the segments are the cell array "SegmentId" (any integers), or that
+ *   set by SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name);
+ * - 1, target mesh: triangles;
+ * - 2, source skeleton (optional), 3, target skeleton (optional), of vtkMSPSkeleton or the like. A
+ *   mesh whose skeleton is connected must have the point array SkeletonNodeId (vtkIdType) of that
+ *   skeleton. Without a skeleton, vtkMSPSkeleton is run with its defaults.
+ *
+ * Read from the meshes, and computed by vtkMSPField with its defaults where one of them is missing:
+ * point arrays MSP (double, mesh units), MSPGradient (double x 3), DihedralAngle (double, radians).
+ * Read from the skeletons: CorrespondenceId (points) and BranchCorrespondenceId (cells) and, if
+ * there, BranchCorrespondenceOrder and BranchCorrespondenceReversed (cells); the field array
+ * CorrespondenceConfidence (double in [0,1], 1 if absent). If either skeleton lacks the first two,
+ * vtkSkeletonCorrespondence is run with its defaults.
+ *
+ * Ports out:
+ * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays
+ *   - SegmentId (int): the segment; replaces an array of that name;
+ *   - SegmentConfidence (double in [0,1]): the product of the correspondence's confidence, of how
+ *     far the face lies on matched branches (1; 0.55 on branches without a partner) and of the share
+ *     that the guided map gives the face's segment, which is small near boundaries and where the map
+ *     and the transferred boundaries disagree;
+ * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is
+ *   repeated at the end of the cell) with the cell arrays BoundaryId (vtkIdType), FirstSegmentId and
+ *   SecondSegmentId (int; the segments on the left and on the right of the line as seen from
+ *   outside), EnclosesBranch (unsigned char; 1 if the boundary went the paper's way, by the one
+ *   branch that it encloses). Lines of equal BoundaryId correspond point by point. The source has all
+ *   of its closed boundaries, the target those that were transferred. Target points lie on edges and
+ *   vertices; the labels change along whole edges next to them.
+ *
+ * Errors: a source without the segment array (the message names those there are), or with one of
+ * another size or more than one component; a mesh that is empty, has cells other than triangles, or
+ * is no oriented manifold; a skeleton that is not one, or does not belong to its mesh (SkeletonNodeId
+ * is missing or out of range). Open meshes and several components are no error. The message names the
+ * side and says what to do.
+ *
+ * The result is the same, bit for bit, on any number of threads. Lengths are relative to the
+ * meshes, so units do not matter.
+ *
+ * @sa vtkMSPField vtkMSPSkeleton vtkSkeletonCorrespondence
+ */
+#ifndef vtkSegmentationTransfer_h
+#define vtkSegmentationTransfer_h
+
+#include "MarrowTransferModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class MARROWTRANSFER_EXPORT vtkSegmentationTransfer : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSegmentationTransfer* New();
+  vtkTypeMacro(vtkSegmentationTransfer, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Only the boundaries of the paper: those that enclose exactly one branch are transferred; all
+   * others are dropped, and the smaller segments beside them join the largest. Default off.
+   */
+  vtkSetMacro(StrictBoundaries, bool);
+  vtkGetMacro(StrictBoundaries, bool);
+  vtkBooleanMacro(StrictBoundaries, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far a maximum of the profile of MSP's gradient along a branch must stand out to count as a
+   * ghost boundary: its ratio to the higher of the lowest values on both its sides (the paper's θ).
+   * Default 1.5, range 1 to 100.
+   */
+  vtkSetClampMacro(Theta, double, 1.0, 100.0);
+  vtkGetMacro(Theta, double);
+  ///@}
+
+  ///@{
+  /**
+   * The standard deviation of the Gaussian that smoothes that profile, as a fraction of the branch's
+   * length (the paper's K). Default 0.05, range 0.005 to 0.5.
+   */
+  vtkSetClampMacro(Kernel, double, 0.005, 0.5);
+  vtkGetMacro(Kernel, double);
+  ///@}
+
+  ///@{
+  /**
+   * The snake takes vertices for the same feature whose dihedral angles differ by less than this
+   * (the paper's λ), in radians. Default 0.1, range 0 to π.
+   */
+  vtkSetClampMacro(Lambda, double, 0.0, 3.14159265358979);
+  vtkGetMacro(Lambda, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far a point of a boundary may be moved by the snake, as a fraction of the longest geodesic
+   * distance on the target. 0 lets it stay on the nearest edge. Default 0.02, range 0 to 0.2.
+   */
+  vtkSetClampMacro(SearchRegion, double, 0.0, 0.2);
+  vtkGetMacro(SearchRegion, double);
+  ///@}
+
+protected:
+  vtkSegmentationTransfer();
+  ~vtkSegmentationTransfer() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSegmentationTransfer(const vtkSegmentationTransfer&) = delete;
+  void operator=(const vtkSegmentationTransfer&) = delete;
+
+  bool StrictBoundaries = false;
+  double Theta = 1.5;
+  double Kernel = 0.05;
+  double Lambda = 0.1;
+  double SearchRegion = 0.02;
+};
+
+#endif
