@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SliceWalker.h"
 
-#include <cmath>
-
 namespace marrow
 {
 namespace
