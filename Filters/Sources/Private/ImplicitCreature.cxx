@@ -97,28 +97,40 @@ ImplicitCreature::ImplicitCreature(const Creature& creature)
   {
     this->Lines.push_back(SampleCenterLine(limb));
     const CenterLine& line = this->Lines.back();
-    Eigen::Vector3d low = line.Positions.front();
-    Eigen::Vector3d high = low;
-    for (const auto& position : line.Positions)
+    const int last = static_cast<int>(line.Positions.size()) - 1;
+    this->LimbBalls.push_back(limb.IsSlab() ? Ball{ limb.Joints[0].Position, limb.Slab.norm() }
+                                            : BallAround(line, 0, last));
+    this->SpanBalls.emplace_back();
+    for (int i = 0; i < last && !limb.IsSlab(); i += CenterLine::SamplesPerSpan)
     {
-      low = low.cwiseMin(position);
-      high = high.cwiseMax(position);
+      this->SpanBalls.back().push_back(BallAround(line, i, i + CenterLine::SamplesPerSpan));
     }
-    Ball ball{ limb.IsSlab() ? limb.Joints[0].Position : Eigen::Vector3d(0.5 * (low + high)),
-      limb.Slab.norm() };
-    for (std::size_t i = 0; i < line.Positions.size() && !limb.IsSlab(); ++i)
-    {
-      ball.Radius = std::max(ball.Radius, (line.Positions[i] - ball.Center).norm() + line.Radii[i]);
-    }
-    this->Balls.push_back(ball);
   }
 }
 
-ImplicitCreature::Nearest ImplicitCreature::ToLimb(int index, const Eigen::Vector3d& point) const
+ImplicitCreature::Ball ImplicitCreature::BallAround(const CenterLine& line, int first, int last)
+{
+  Eigen::Vector3d low = line.Positions[first];
+  Eigen::Vector3d high = low;
+  for (int i = first; i <= last; ++i)
+  {
+    low = low.cwiseMin(line.Positions[i]);
+    high = high.cwiseMax(line.Positions[i]);
+  }
+  Ball ball{ 0.5 * (low + high), 0.0 };
+  for (int i = first; i <= last; ++i)
+  {
+    ball.Radius = std::max(ball.Radius, (line.Positions[i] - ball.Center).norm() + line.Radii[i]);
+  }
+  return ball;
+}
+
+ImplicitCreature::Nearest ImplicitCreature::ToLimb(
+  int index, const Eigen::Vector3d& point, double limit) const
 {
   const Limb& limb = this->Source.Limbs[index];
   const CenterLine& line = this->Lines[index];
-  Nearest result{ std::numeric_limits<double>::infinity(), Eigen::Vector3d::UnitY(), 0.0 };
+  Nearest result{ limit, Eigen::Vector3d::UnitY(), 0.0 };
   if (limb.IsSlab())
   {
     // A box shrunk by its rounding, and the distance from that.
@@ -148,9 +160,16 @@ ImplicitCreature::Nearest ImplicitCreature::ToLimb(int index, const Eigen::Vecto
 
   for (std::size_t i = 0; i + 1 < line.Positions.size(); ++i)
   {
+    const bool opensSpan = i % CenterLine::SamplesPerSpan == 0;
+    if (opensSpan &&
+      this->SpanBalls[index][i / CenterLine::SamplesPerSpan].Distance(point) > result.Distance)
+    {
+      i += CenterLine::SamplesPerSpan - 1;
+      continue;
+    }
     const Eigen::Vector3d& a = line.Positions[i];
     const double length = line.ArcLength[i + 1] - line.ArcLength[i];
-    // A piece that cannot be nearer than the nearest so far is left out.
+    // A piece that cannot be nearer than the nearest so far is left out too.
     const double reach = result.Distance + length + std::max(line.Radii[i], line.Radii[i + 1]);
     if (length <= 0.0 || (reach > 0.0 && (point - a).squaredNorm() > reach * reach))
     {
@@ -187,12 +206,11 @@ double ImplicitCreature::Value(const Eigen::Vector3d& point, Eigen::Vector3d& gr
   for (int i = 0; i < static_cast<int>(this->Lines.size()); ++i)
   {
     const double blend = this->Source.Limbs[i].Blend;
-    const Ball& ball = this->Balls[i];
-    if ((point - ball.Center).norm() - ball.Radius > value + blend)
+    if (this->LimbBalls[i].Distance(point) > value + blend)
     {
       continue;
     }
-    const Nearest nearest = this->ToLimb(i, point);
+    const Nearest nearest = this->ToLimb(i, point, value + blend);
     // Quadratic smooth minimum: a convex combination of gradients, so the slope stays at most 1.
     const double difference = nearest.Distance - value;
     if (std::abs(difference) >= blend || i == 0)
@@ -218,7 +236,7 @@ ImplicitCreature::Place ImplicitCreature::PlaceOf(const Eigen::Vector3d& point) 
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(this->Lines.size()); ++i)
   {
-    const Nearest nearest = this->ToLimb(i, point);
+    const Nearest nearest = this->ToLimb(i, point, least);
     if (nearest.Distance < least)
     {
       least = nearest.Distance;

@@ -55,18 +55,27 @@ private:
   {
     Eigen::Vector3d Center;
     double Radius;
+
+    double Distance(const Eigen::Vector3d& point) const
+    {
+      return (point - this->Center).norm() - this->Radius;
+    }
   };
+  static Ball BallAround(const CenterLine& line, int first, int last);
   struct Nearest
   {
     double Distance;
     Eigen::Vector3d Direction;
     double Fraction;
   };
-  Nearest ToLimb(int limb, const Eigen::Vector3d& point) const;
+  /// The limb's own surface, as far as it is nearer than `limit`.
+  Nearest ToLimb(int limb, const Eigen::Vector3d& point, double limit) const;
 
   const Creature& Source;
   std::vector<CenterLine> Lines;
-  std::vector<Ball> Balls; ///< around each limb's surface, to leave far limbs out
+  // Around the surface of each limb and of each of its spans, to leave out what is far.
+  std::vector<Ball> LimbBalls;
+  std::vector<std::vector<Ball>> SpanBalls;
 };
 }
 

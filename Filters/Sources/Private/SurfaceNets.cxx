@@ -37,19 +37,7 @@ public:
   void Evaluate(const std::function<double(const Eigen::Vector3d&)>& function,
     const Eigen::Vector3d& low, double spacing)
   {
-    std::size_t next = 0;
-    for (int z = 0; z < BlockPoints; ++z)
-    {
-      for (int y = 0; y < BlockPoints; ++y)
-      {
-        for (int x = 0; x < BlockPoints; ++x)
-        {
-          // From the grid's origin, not the block's: blocks must agree on their common points.
-          this->Values[next++] =
-            function(low + spacing * (this->First + Index(x, y, z)).cast<double>());
-        }
-      }
-    }
+    this->Evaluate(function, low, spacing, Index::Zero(), Index::Constant(BlockPoints));
   }
 
   double At(const Index& point) const
@@ -59,6 +47,48 @@ public:
 
   Index First; ///< of its cells
 private:
+  /// The points from `begin` up to `end`. Where the middle tells that the surface is further away
+  /// than a grid edge is long, its value stands for all: only the sign will be asked for.
+  void Evaluate(const std::function<double(const Eigen::Vector3d&)>& function,
+    const Eigen::Vector3d& low, double spacing, const Index& begin, const Index& end)
+  {
+    const Index size = end - begin;
+    // From the grid's origin, not the block's: blocks must agree on their common points.
+    const Eigen::Vector3d middle =
+      (this->First + begin).cast<double>() + 0.5 * (size - Index::Ones()).cast<double>();
+    const double value = function(low + spacing * middle);
+    const double reach = 0.5 * (size - Index::Ones()).cast<double>().norm() + 1.0;
+    if (size.maxCoeff() == 1 || std::abs(value) > 1.0001 * spacing * reach)
+    {
+      for (int z = begin[2]; z < end[2]; ++z)
+      {
+        for (int y = begin[1]; y < end[1]; ++y)
+        {
+          for (int x = begin[0]; x < end[0]; ++x)
+          {
+            this->Values[(z * BlockPoints + y) * BlockPoints + x] = value;
+          }
+        }
+      }
+      return;
+    }
+    // Eight parts; a part may be empty where an axis has one point left.
+    for (int part = 0; part < 8; ++part)
+    {
+      Index first = begin;
+      Index last = end;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int half = begin[k] + (size[k] + 1) / 2;
+        ((part >> k & 1) ? first : last)[k] = half;
+      }
+      if ((last - first).minCoeff() > 0)
+      {
+        this->Evaluate(function, low, spacing, first, last);
+      }
+    }
+  }
+
   std::vector<double> Values;
 };
 
