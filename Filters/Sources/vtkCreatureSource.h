@@ -98,7 +98,8 @@ public:
 
   ///@{
   /**
-   * The number of triangles, kept within 10 %. Default: 10000. Range: [2000, 2000000].
+   * The number of triangles, kept within 10 %. Default: 10000. Range: [2000, 2000000]; below 5000 the
+   * thinnest limbs of some individuals are lost, which is an error.
    */
   vtkSetClampMacro(Resolution, int, 2000, 2000000);
   vtkGetMacro(Resolution, int);
