@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_PairMeasures_h
+#define marrow_PairMeasures_h
+
+#include "FeaturePoints.h"
+#include "PreparedMesh.h"
+#include "ResultTable.h"
+
+namespace marrow::bench
+{
+/// A category's meshes, and what was found out about their feature points.
+struct PreparedCategory
+{
+  std::vector<PreparedMesh> Meshes;
+  std::vector<TerminalFeatures> Features;
+  std::vector<int> MirrorFeatures;
+};
+
+/// The columns of a pair.
+const std::vector<std::string>& PairColumns();
+
+/// Transfers the pieces of one mesh to another and measures everything. `segments` receives the
+/// target's segments. An error of a filter goes into the result. Safe on several threads at once.
+Result MeasurePair(
+  const PreparedCategory& category, int source, int target, std::vector<int>& segments);
+}
+
+#endif
