@@ -2,6 +2,7 @@
 // What the stages give on procedural creatures, as pictures: one line each, with its threshold.
 #include "ImageComparison.h"
 
+#include <vtkCellData.h>
 #include <vtkCreatureSource.h>
 #include <vtkMSPSkeleton.h>
 #include <vtkPolyData.h>
@@ -56,11 +57,16 @@ vtkSmartPointer<vtkImageData> DrawSkeleton(int shape)
   return Draw(scene);
 }
 
-/// The skeletons of two creatures of a kind, matched parts in equal colours.
+/// The skeletons of two creatures of a kind, matched parts in equal colours, the surfaces grey: their
+/// labels have the same colours.
 vtkSmartPointer<vtkImageData> DrawCorrespondence(int shape)
 {
   vtkNew<vtkSkeletonCorrespondence> correspondence;
   const Data meshes[2] = { Creature(shape, 1), Creature(shape, 2) };
+  for (const Data& mesh : meshes)
+  {
+    mesh->GetCellData()->RemoveArray("SegmentId");
+  }
   correspondence->SetInputData(0, SkeletonOf(meshes[0]));
   correspondence->SetInputData(1, SkeletonOf(meshes[1]));
   correspondence->Update();
