@@ -12,7 +12,7 @@ if grep -rnE '#include [<"]vtk' Filters/*/Private Rendering/Private |
 fi
 
 # Backends do not show in public headers.
-if grep -nE '#include [<"](Eigen|boost|CGAL)/' Filters/*/*.h Rendering/*.h; then
+if grep -nE '#include [<"](Eigen|boost|CGAL)/' Filters/*/vtk*.h Rendering/vtk*.h; then
   echo "A public header includes a backend: see above." >&2
   failed=1
 fi
@@ -20,7 +20,7 @@ fi
 # Marrow's private headers are not installed, so no public header may need them.
 private=$(find Filters/*/Private Rendering/Private -name '*.h' -printf '%f\n' | paste -sd'|' |
   sed 's/\./\\./g')
-if grep -nE "#include \"($private)\"" Filters/*/*.h Rendering/*.h; then
+if grep -nE "#include \"($private)\"" Filters/*/vtk*.h Rendering/vtk*.h; then
   echo "A public header includes a private one: see above." >&2
   failed=1
 fi
