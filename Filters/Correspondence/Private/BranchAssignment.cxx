@@ -164,6 +164,19 @@ bool BestRotation(const std::vector<Eigen::Vector3d>& source,
   return sign > 0.0 || values[2] <= flat * values[0];
 }
 
+double SpatialCost(
+  const std::vector<Eigen::Vector3d>& source, const std::vector<Eigen::Vector3d>& target)
+{
+  Eigen::Matrix3d rotation;
+  BestRotation(source, target, rotation);
+  double cost = 0.0;
+  for (std::size_t i = 0; i < source.size(); ++i)
+  {
+    cost += SquaredAngle(source[i], rotation * target[i]);
+  }
+  return cost;
+}
+
 std::vector<BranchAssignment> FindAssignments(const BranchSets& sets)
 {
   const int sources = static_cast<int>(sets.Source.size());

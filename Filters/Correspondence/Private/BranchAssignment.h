@@ -33,6 +33,10 @@ struct BranchAssignment
 bool BestRotation(const std::vector<Eigen::Vector3d>& source,
   const std::vector<Eigen::Vector3d>& target, Eigen::Matrix3d& rotation);
 
+/// C_spatial (correspondence paper, equation 5) of vectors matched in order, under BestRotation.
+double SpatialCost(
+  const std::vector<Eigen::Vector3d>& source, const std::vector<Eigen::Vector3d>& target);
+
 /// The assignments that need no reflection. All of them where there are few (up to 720); else, for
 /// every pair of source branches on every pair of target branches, the best assignment under the
 /// rotation these two suggest, which is polynomial in the number of branches and still holds the

@@ -29,14 +29,15 @@ auto NodeKey(const SkeletonNode& node)
   return std::make_tuple(node.AGD, node.MSP, node.Radius, p.x(), p.y(), p.z());
 }
 
-Eigen::Vector3d PointOf(const SkeletonGraph& graph, const Branch& path, double arc)
+Eigen::Vector3d PointOf(
+  const std::vector<Eigen::Vector3d>& positions, const Branch& path, double arc)
 {
   const auto after = std::lower_bound(path.ArcLength.begin(), path.ArcLength.end(), arc);
   const std::size_t i =
     std::clamp<std::size_t>(after - path.ArcLength.begin(), 1, path.ArcLength.size() - 1);
   const double step = path.ArcLength[i] - path.ArcLength[i - 1];
   const double t = step > 0.0 ? std::clamp((arc - path.ArcLength[i - 1]) / step, 0.0, 1.0) : 0.0;
-  return (1.0 - t) * graph[path.Nodes[i - 1]].Position + t * graph[path.Nodes[i]].Position;
+  return (1.0 - t) * positions[path.Nodes[i - 1]] + t * positions[path.Nodes[i]];
 }
 }
 
@@ -49,12 +50,18 @@ FeatureGraph::FeatureGraph(const Skeleton& skeleton, int pieces)
   : Bones(skeleton)
   , Diagonal(skeleton.MeshDiagonal)
 {
+  this->SmoothPositions();
   this->Branches.resize(skeleton.NumberOfBranches());
   for (int b = 0; b < skeleton.NumberOfBranches(); ++b)
   {
     OrientedBranch& branch = this->Branches[b];
     branch.Source = b;
     branch.Path = skeleton.Branches[b];
+    for (std::size_t i = 1; i < branch.Path.Nodes.size(); ++i)
+    {
+      branch.Path.ArcLength[i] = branch.Path.ArcLength[i - 1] +
+        (this->Positions[branch.Path.Nodes[i]] - this->Positions[branch.Path.Nodes[i - 1]]).norm();
+    }
     // The inner neighbours of the ends tell the two directions of a loop apart.
     const auto& nodes = branch.Path.Nodes;
     const auto key = [&](int end, int next)
@@ -83,6 +90,31 @@ FeatureGraph::FeatureGraph(const Skeleton& skeleton, int pieces)
   for (int dart = 0; dart < 2 * this->NumberOfBranches(); ++dart)
   {
     this->Descriptors[dart] = this->Profile({ dart }, Measure::MSP, pieces);
+  }
+}
+
+void FeatureGraph::SmoothPositions()
+{
+  constexpr int sweeps = 10;
+  const SkeletonGraph& graph = this->Bones.Graph;
+  this->Positions.resize(boost::num_vertices(graph));
+  for (std::size_t n = 0; n < this->Positions.size(); ++n)
+  {
+    this->Positions[n] = graph[n].Position;
+  }
+  for (const Branch& branch : this->Bones.Branches)
+  {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+    {
+      Eigen::Vector3d before = this->Positions[branch.Front()];
+      for (std::size_t i = 1; i + 1 < branch.Nodes.size(); ++i)
+      {
+        Eigen::Vector3d& here = this->Positions[branch.Nodes[i]];
+        const Eigen::Vector3d old = here;
+        here = 0.25 * before + 0.5 * old + 0.25 * this->Positions[branch.Nodes[i + 1]];
+        before = old;
+      }
+    }
   }
 }
 
@@ -268,11 +300,11 @@ Eigen::Vector3d FeatureGraph::Direction(const FeatureGroup& group, int dart) con
   const Branch path = this->Concatenate({ dart });
   // The branch leaves the ball on its first edge with an end outside; a branch that never does
   // counts as a whole.
-  Eigen::Vector3d exit = this->Bones.Graph[path.Back()].Position;
+  Eigen::Vector3d exit = this->Positions[path.Back()];
   for (std::size_t i = 1; i < path.Nodes.size(); ++i)
   {
-    const Eigen::Vector3d& a = this->Bones.Graph[path.Nodes[i - 1]].Position;
-    const Eigen::Vector3d& b = this->Bones.Graph[path.Nodes[i]].Position;
+    const Eigen::Vector3d& a = this->Positions[path.Nodes[i - 1]];
+    const Eigen::Vector3d& b = this->Positions[path.Nodes[i]];
     if ((b - center).norm() > radius)
     {
       const double da = std::min((a - center).norm(), radius);
@@ -352,7 +384,7 @@ std::vector<double> FeatureGraph::Profile(
 Eigen::Vector3d FeatureGraph::PointAt(const std::vector<int>& darts, double fraction) const
 {
   const Branch path = this->Concatenate(darts);
-  return PointOf(this->Bones.Graph, path, fraction * path.Length());
+  return PointOf(this->Positions, path, fraction * path.Length());
 }
 
 double ProfileDistance(const std::vector<double>& a, const std::vector<double>& b)

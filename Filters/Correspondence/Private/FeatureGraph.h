@@ -92,6 +92,7 @@ private:
     bool Flipped = false;
     Branch Path;
   };
+  void SmoothPositions();
   void AddFeatures();
   void FindComponents();
   double Value(int node, Measure measure) const;
@@ -99,6 +100,8 @@ private:
   Branch Concatenate(const std::vector<int>& darts) const;
 
   const Skeleton& Bones;
+  /// Of the skeleton's nodes, without zigzag: it would make lengths a matter of chance.
+  std::vector<Eigen::Vector3d> Positions;
   std::vector<OrientedBranch> Branches;
   std::vector<Feature> Features;
   std::vector<int> FeatureOfDart;

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeafSelection.h"
 
+#include "GlobalCost.h"
+#include "LeafRefinement.h"
+#include "SplitConsensus.h"
+
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace marrow
 {
 namespace
 {
+constexpr std::size_t MaximumStarts = 12;
+constexpr double CoverageWeight = 0.1;
+
 double Coverage(const FeatureGraph& graph, const FeatureCorrespondence& match,
   std::vector<int> MatchedBranches::*path)
 {
@@ -17,46 +26,156 @@ double Coverage(const FeatureGraph& graph, const FeatureCorrespondence& match,
   }
   return length;
 }
+
+RatedLeaf Rate(
+  const FeatureGraph& source, const FeatureGraph& target, const FeatureCorrespondence& match)
+{
+  RatedLeaf rated;
+  rated.Match = match;
+  rated.SourceCoverage = Coverage(source, match, &MatchedBranches::Source);
+  rated.TargetCoverage = Coverage(target, match, &MatchedBranches::Target);
+  return rated;
+}
+
+void AddPaperCosts(std::vector<RatedLeaf>& leaves)
+{
+  double largestJunction = 0.0;
+  double largestBranch = 0.0;
+  for (const RatedLeaf& leaf : leaves)
+  {
+    for (double cost : leaf.Match.JunctionCosts)
+    {
+      largestJunction = std::max(largestJunction, cost);
+    }
+    for (double cost : leaf.Match.BranchCosts)
+    {
+      largestBranch = std::max(largestBranch, cost);
+    }
+  }
+  for (RatedLeaf& leaf : leaves)
+  {
+    leaf.PaperCost = 1.0;
+    for (double cost : leaf.Match.JunctionCosts)
+    {
+      leaf.PaperCost *= cost / largestJunction;
+    }
+    for (double cost : leaf.Match.BranchCosts)
+    {
+      leaf.PaperCost *= cost / largestBranch;
+    }
+  }
+}
+
+/// A tree: one component whose branches are one fewer than its features.
+bool IsTree(const FeatureGraph& graph)
+{
+  return graph.NumberOfComponents() == 1 &&
+    graph.NumberOfBranches() == graph.NumberOfFeatures() - 1;
+}
+
+/// Whether two leaves match the same, in whatever order and direction.
+bool SameMatch(const FeatureCorrespondence& a, const FeatureCorrespondence& b)
+{
+  const auto partsOf = [](const FeatureCorrespondence& match)
+  {
+    std::set<std::vector<std::vector<int>>> parts;
+    for (const MatchedNodes& nodes : match.Nodes)
+    {
+      parts.insert({ nodes.Source.Features, nodes.Target.Features });
+    }
+    for (const MatchedBranches& branches : match.Branches)
+    {
+      std::vector<std::vector<int>> chains{ branches.Source, branches.Target, { 0 } };
+      for (std::vector<int>* chain : { &chains[0], &chains[1] })
+      {
+        std::transform(
+          chain->begin(), chain->end(), chain->begin(), [](int dart) { return dart / 2; });
+        std::sort(chain->begin(), chain->end());
+      }
+      parts.insert(chains);
+    }
+    return parts;
+  };
+  return partsOf(a) == partsOf(b);
+}
+
+void SortByCost(std::vector<RatedLeaf>& leaves)
+{
+  std::stable_sort(leaves.begin(), leaves.end(),
+    [](const RatedLeaf& a, const RatedLeaf& b) { return a.Cost < b.Cost; });
+}
+
+/// Rates by the global cost, and adds what the best leaves descend to.
+void RefineLeaves(
+  const FeatureGraph& source, const FeatureGraph& target, std::vector<RatedLeaf>& leaves)
+{
+  const TerminalPaths sourcePaths(source);
+  const TerminalPaths targetPaths(target);
+  const GlobalCost cost(sourcePaths, targetPaths);
+  const auto rate = [&](RatedLeaf& leaf)
+  {
+    leaf.Cost = cost.Total(TerminalAssignment(sourcePaths, targetPaths, leaf.Match)) +
+      CoverageWeight * (1.0 - 0.5 * (leaf.SourceCoverage + leaf.TargetCoverage));
+  };
+  for (RatedLeaf& leaf : leaves)
+  {
+    rate(leaf);
+  }
+  SortByCost(leaves);
+  if (!IsTree(source) || !IsTree(target))
+  {
+    return;
+  }
+  std::vector<GlobalCost::Assignment> starts{ cost.Guess() };
+  for (std::size_t i = 0; i < std::min(leaves.size(), MaximumStarts); ++i)
+  {
+    starts.push_back(TerminalAssignment(sourcePaths, targetPaths, leaves[i].Match));
+  }
+  std::vector<RatedLeaf> refined;
+  for (const GlobalCost::Assignment& end : Descend(cost, targetPaths, starts))
+  {
+    RatedLeaf leaf = Rate(source, target, MatchBySplits(sourcePaths, targetPaths, end));
+    leaf.Refined = true;
+    rate(leaf);
+    if (!leaf.Match.Nodes.empty() &&
+      std::none_of(leaves.begin(), leaves.end(),
+        [&](const RatedLeaf& other) { return SameMatch(other.Match, leaf.Match); }))
+    {
+      refined.push_back(std::move(leaf));
+    }
+  }
+  leaves.insert(leaves.begin(), refined.begin(), refined.end());
+  SortByCost(leaves);
+}
 }
 
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global)
 {
-  double largestJunction = 0.0;
-  double largestBranch = 0.0;
-  for (const FeatureCorrespondence& leaf : leaves)
-  {
-    for (double cost : leaf.JunctionCosts)
-    {
-      largestJunction = std::max(largestJunction, cost);
-    }
-    for (double cost : leaf.BranchCosts)
-    {
-      largestBranch = std::max(largestBranch, cost);
-    }
-  }
   std::vector<RatedLeaf> result;
   for (const FeatureCorrespondence& leaf : leaves)
   {
-    RatedLeaf rated;
-    rated.Match = leaf;
-    rated.PaperCost = 1.0;
-    for (double cost : leaf.JunctionCosts)
-    {
-      rated.PaperCost *= cost / largestJunction;
-    }
-    for (double cost : leaf.BranchCosts)
-    {
-      rated.PaperCost *= cost / largestBranch;
-    }
-    rated.SourceCoverage = Coverage(source, leaf, &MatchedBranches::Source);
-    rated.TargetCoverage = Coverage(target, leaf, &MatchedBranches::Target);
-    rated.GlobalCost = rated.PaperCost;
-    result.push_back(std::move(rated));
+    result.push_back(Rate(source, target, leaf));
   }
-  std::stable_sort(result.begin(), result.end(),
-    [&](const RatedLeaf& a, const RatedLeaf& b)
-    { return global ? a.GlobalCost < b.GlobalCost : a.PaperCost < b.PaperCost; });
+  if (global)
+  {
+    RefineLeaves(source, target, result);
+    AddPaperCosts(result);
+  }
+  else
+  {
+    AddPaperCosts(result);
+    for (RatedLeaf& leaf : result)
+    {
+      leaf.Cost = leaf.PaperCost;
+    }
+    SortByCost(result);
+  }
   return result;
+}
+
+double Confidence(const std::vector<RatedLeaf>& leaves)
+{
+  return std::min(leaves.front().SourceCoverage, leaves.front().TargetCoverage);
 }
 }

@@ -12,16 +12,23 @@ namespace marrow
 struct RatedLeaf
 {
   FeatureCorrespondence Match;
+  bool Refined = false;        ///< not of the tree but found by going on from its leaves
   double PaperCost = 0.0;      ///< C_leaf (correspondence paper, equation 7)
-  double GlobalCost = 0.0;     ///< see GlobalCost.h
+  double Cost = 0.0;           ///< what the leaves are sorted by
   double SourceCoverage = 0.0; ///< length of the matched branches, of the whole skeleton's
   double TargetCoverage = 0.0;
 };
 
-/// The leaves with their costs, the best first: by GlobalCost if `global`, else by PaperCost; equal
-/// ones stay in the order of the tree.
+/// The leaves with their costs, the best first; equal ones stay in the order of the tree.
+///
+/// If `global`, the cost is GlobalCost of the matched terminals and what the branches leave
+/// uncovered; and where both skeletons are trees, the best leaves are refined by Descend and
+/// MatchBySplits, and the results are leaves of their own. Else the cost is the paper's.
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global);
+
+/// How sure the sorted leaves are that the first one is right, in [0,1].
+double Confidence(const std::vector<RatedLeaf>& leaves);
 }
 
 #endif

@@ -80,13 +80,13 @@ bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
     }
     match.BranchPairs = static_cast<int>(leaf.Match.Branches.size());
     match.Merges = leaf.Match.Merges;
-    match.Cost = parameters.GlobalSelection ? leaf.GlobalCost : leaf.PaperCost;
+    match.Cost = leaf.Cost;
     match.PaperCost = leaf.PaperCost;
     match.SourceCoverage = leaf.SourceCoverage;
     match.TargetCoverage = leaf.TargetCoverage;
     result.Leaves.push_back(std::move(match));
   }
-  result.Confidence = std::min(leaves[0].SourceCoverage, leaves[0].TargetCoverage);
+  result.Confidence = Confidence(leaves);
   return Report(progress, 1.0);
 }
 }

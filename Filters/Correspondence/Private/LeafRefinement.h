@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_LeafRefinement_h
+#define marrow_LeafRefinement_h
+
+#include "FeatureCorrespondence.h"
+#include "GlobalCost.h"
+
+#include <vector>
+
+namespace marrow
+{
+/// The terminals that a leaf matches.
+GlobalCost::Assignment TerminalAssignment(
+  const TerminalPaths& source, const TerminalPaths& target, const FeatureCorrespondence& leaf);
+
+/// Where one gets from each of `starts` by exchanging, adding and dropping pairs of terminals until the
+/// global cost falls no further: first what handedness does not enter, then left and right. Each
+/// result once.
+std::vector<GlobalCost::Assignment> Descend(const GlobalCost& cost, const TerminalPaths& target,
+  const std::vector<GlobalCost::Assignment>& starts);
+}
+
+#endif

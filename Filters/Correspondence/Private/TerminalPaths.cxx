@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TerminalPaths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include <queue>
+
+namespace marrow
+{
+namespace
+{
+constexpr int ProfilePieces = 12;
+/// The middle parts of a path whose straightness is compared: the tips move with the pose.
+constexpr double ChordEnds[] = { 0.2, 0.35 };
+/// Where on a terminal's branch points are taken, from the tip on; the second one sees how a foot
+/// stands on its leg.
+constexpr double SampleFractions[] = { 0.0, 0.15, 0.5, 1.0 };
+}
+
+TerminalPaths::TerminalPaths(const FeatureGraph& graph)
+  : Skeleton(graph)
+{
+  this->ChooseTerminals();
+  this->FindPaths();
+  this->FindSplits();
+}
+
+void TerminalPaths::ChooseTerminals()
+{
+  const FeatureGraph& graph = this->Skeleton;
+  const auto surface = [&](int branch)
+  {
+    const auto& pieces = graph.Descriptor(2 * branch);
+    return graph.Length(branch) * std::accumulate(pieces.begin(), pieces.end(), 0.0) /
+      static_cast<double>(pieces.size());
+  };
+  std::vector<std::pair<double, int>> all;
+  double lengths = 0.0;
+  double surfaces = 0.0;
+  for (int f = 0; f < graph.NumberOfFeatures(); ++f)
+  {
+    if (graph.GetFeatures()[f].IsTerminal())
+    {
+      const int branch = graph.GetFeatures()[f].Darts.front() / 2;
+      lengths += graph.Length(branch);
+      surfaces += surface(branch);
+      all.emplace_back(0.0, f);
+    }
+  }
+  for (auto& [weight, f] : all)
+  {
+    const int branch = graph.GetFeatures()[f].Darts.front() / 2;
+    weight = 0.5 * (lengths > 0.0 ? graph.Length(branch) / lengths : 1.0 / all.size()) +
+      0.5 * (surfaces > 0.0 ? surface(branch) / surfaces : 1.0 / all.size());
+  }
+  if (static_cast<int>(all.size()) > MaximumTerminals)
+  {
+    std::stable_sort(all.begin(), all.end(), std::greater<std::pair<double, int>>());
+    all.resize(MaximumTerminals);
+    std::sort(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  }
+  this->TerminalOfFeature.assign(graph.NumberOfFeatures(), -1);
+  const double sum = std::accumulate(all.begin(), all.end(), 0.0,
+    [](double s, const std::pair<double, int>& entry) { return s + entry.first; });
+  for (const auto& [weight, f] : all)
+  {
+    this->TerminalOfFeature[f] = this->Size();
+    this->Features.push_back(f);
+    this->Weights.push_back(weight / sum);
+    const std::vector<int> branch{ graph.GetFeatures()[f].Darts.front() };
+    std::vector<Eigen::Vector3d> points;
+    for (double fraction : SampleFractions)
+    {
+      points.push_back(graph.PointAt(branch, fraction));
+    }
+    this->Samples.push_back(points);
+  }
+}
+
+void TerminalPaths::FindPaths()
+{
+  const FeatureGraph& graph = this->Skeleton;
+  this->Paths.resize(this->Size() * this->Size());
+  double weightedLength = 0.0;
+  double weights = 0.0;
+  for (int from = 0; from < this->Size(); ++from)
+  {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<double> distance(graph.NumberOfFeatures(), far);
+    std::vector<int> arrival(graph.NumberOfFeatures(), -1);
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
+      std::greater<std::pair<double, int>>>
+      open;
+    distance[this->Features[from]] = 0.0;
+    open.emplace(0.0, this->Features[from]);
+    while (!open.empty())
+    {
+      const auto [d, feature] = open.top();
+      open.pop();
+      if (d > distance[feature])
+      {
+        continue;
+      }
+      for (int dart : graph.GetFeatures()[feature].Darts)
+      {
+        const double next = d + graph.Length(dart / 2);
+        if (next < distance[graph.Head(dart)])
+        {
+          distance[graph.Head(dart)] = next;
+          arrival[graph.Head(dart)] = dart;
+          open.emplace(next, graph.Head(dart));
+        }
+      }
+    }
+    for (int to = 0; to < this->Size(); ++to)
+    {
+      Path& path = this->Paths[from * this->Size() + to];
+      if (to == from || distance[this->Features[to]] == far)
+      {
+        continue;
+      }
+      path.Exists = true;
+      path.Length = distance[this->Features[to]];
+      for (int f = this->Features[to]; f != this->Features[from]; f = graph.Origin(arrival[f]))
+      {
+        path.Darts.push_back(arrival[f]);
+      }
+      std::reverse(path.Darts.begin(), path.Darts.end());
+      path.Profile = graph.Profile(path.Darts, FeatureGraph::Measure::MSP, ProfilePieces);
+      // The root: a leg and an ear differ by as much as a leg and a body.
+      for (double& value : path.Profile)
+      {
+        value = std::sqrt(value);
+      }
+      for (double end : ChordEnds)
+      {
+        const double chord =
+          (graph.PointAt(path.Darts, end) - graph.PointAt(path.Darts, 1.0 - end)).norm();
+        const double arc = (1.0 - 2.0 * end) * path.Length * graph.TotalLength();
+        path.Chords.push_back(arc > 0.0 ? chord / arc : 1.0);
+      }
+      const double weight = this->Weights[from] * this->Weights[to];
+      weightedLength += weight * path.Length;
+      weights += weight;
+    }
+  }
+  this->FindTapers(weights > 0.0 ? weightedLength / weights : 1.0);
+  for (Path& path : this->Paths)
+  {
+    path.Length *= weightedLength > 0.0 ? weights / weightedLength : 1.0;
+  }
+}
+
+void TerminalPaths::FindTapers(double scale)
+{
+  const FeatureGraph& graph = this->Skeleton;
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    // Towards the terminals that are far: the longest path passes the centre.
+    int farthest = -1;
+    for (int k = 0; k < this->Size(); ++k)
+    {
+      if (this->Between(i, k).Exists &&
+        (farthest < 0 || this->Between(i, k).Length > this->Between(i, farthest).Length))
+      {
+        farthest = k;
+      }
+    }
+    std::vector<double> taper;
+    if (farthest >= 0)
+    {
+      const Path& path = this->Between(i, farthest);
+      constexpr int pieces = 64;
+      const std::vector<double> profile =
+        graph.Profile(path.Darts, FeatureGraph::Measure::MSP, pieces);
+      for (double distance : { 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4 })
+      {
+        const int piece = static_cast<int>(distance * scale / path.Length * pieces);
+        taper.push_back(std::sqrt(profile[std::min(piece, pieces - 1)]));
+      }
+    }
+    this->Tapers.push_back(taper);
+  }
+}
+
+TerminalPaths::Mask TerminalPaths::Beyond(int dart) const
+{
+  const FeatureGraph& graph = this->Skeleton;
+  Mask mask = 0;
+  std::vector<bool> seen(graph.NumberOfFeatures(), false);
+  std::vector<int> open{ graph.Head(dart) };
+  seen[graph.Head(dart)] = true;
+  while (!open.empty())
+  {
+    const int feature = open.back();
+    open.pop_back();
+    if (feature == graph.Origin(dart))
+    {
+      return 0;
+    }
+    if (this->TerminalOfFeature[feature] >= 0)
+    {
+      mask |= Mask(1) << this->TerminalOfFeature[feature];
+    }
+    for (int next : graph.GetFeatures()[feature].Darts)
+    {
+      if (next / 2 != dart / 2 && !seen[graph.Head(next)])
+      {
+        seen[graph.Head(next)] = true;
+        open.push_back(graph.Head(next));
+      }
+    }
+  }
+  return mask;
+}
+
+void TerminalPaths::FindSplits()
+{
+  for (int branch = 0; branch < this->Skeleton.NumberOfBranches(); ++branch)
+  {
+    const Mask back = this->Beyond(2 * branch);
+    const Mask front = this->Beyond(2 * branch + 1);
+    const auto several = [](Mask mask) { return (mask & (mask - 1)) != 0; };
+    if (several(back) && several(front))
+    {
+      this->Splits.push_back({ branch, back });
+    }
+  }
+}
+}
