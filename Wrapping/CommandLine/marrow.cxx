@@ -3,6 +3,7 @@
 #include "CommandError.h"
 #include "Console.h"
 #include "CorrespondCommand.h"
+#include "EvaluateCommand.h"
 #include "MeasureCommand.h"
 #include "RenderCommand.h"
 #include "SkeletonCommand.h"
@@ -34,10 +35,12 @@ int main(int argc, char** argv)
   SkeletonCommand skeleton;
   CorrespondCommand correspond;
   TransferCommand transfer;
+  EvaluateCommand evaluate;
   RenderCommand render;
   const std::pair<CLI::App*, Command*> commands[] = { { measure.Declare(app), &measure },
     { skeleton.Declare(app), &skeleton }, { correspond.Declare(app), &correspond },
-    { transfer.Declare(app), &transfer }, { render.Declare(app), &render } };
+    { transfer.Declare(app), &transfer }, { evaluate.Declare(app), &evaluate },
+    { render.Declare(app), &render } };
   CLI11_PARSE(app, argc, argv);
 
   Console console;

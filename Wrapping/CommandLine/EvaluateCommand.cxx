@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EvaluateCommand.h"
+
+#include "CommandError.h"
+#include "Console.h"
+#include "MeshFiles.h"
+
+#include <vtkCellData.h>
+#include <vtkPolyData.h>
+#include <vtkSegmentationMetrics.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+std::string Quoted(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    if (c == '"' || c == '\\')
+    {
+      quoted += '\\';
+    }
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+/// A measure that is not defined, such as the distance to a boundary that is not there, is `none`.
+std::string Number(double value, const char* none)
+{
+  std::ostringstream text;
+  text << std::setprecision(6) << value;
+  return std::isfinite(value) ? text.str() : none;
+}
+}
+
+CLI::App* EvaluateCommand::Declare(CLI::App& marrow)
+{
+  CLI::App* app = marrow.add_subcommand(
+    "evaluate", "Compare segments with one or several references, and average over them");
+  app->add_option("mesh", this->Mesh, "The mesh (.off .ply .obj .stl .vtp .vtk)")->required();
+  app->add_option("--segments", this->Segments,
+    "Segments to judge: .seg, or .vtp .vtk with the cell array SegmentId; without it the mesh must "
+    "hold SegmentId");
+  app->add_option("--reference", this->References, "What they are held against: the same formats")
+    ->required();
+  CLI::Option* json = app->add_flag("--json", this->Json, "Print JSON");
+  app->add_flag("--csv", this->Csv, "Print CSV")->excludes(json);
+  app->footer(
+    "CutDiscrepancy, HammingDistance (MissingRate, FalseAlarmRate), RandError and the consistency "
+    "errors\nare those of the Princeton segmentation benchmark: 0 is best. LabelAccuracy is the "
+    "share of the area with\nequal ids: 1 is best. See vtkSegmentationMetrics.h.\n\n"
+    "Examples:\n"
+    "  marrow evaluate cow.off --segments cow.seg --reference truth.seg\n"
+    "  marrow evaluate cow.vtp --reference human_0.seg human_1.seg human_2.seg --json");
+  return app;
+}
+
+void EvaluateCommand::Run(Console& console)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = files::ReadMesh(this->Mesh, console);
+  vtkSmartPointer<vtkPolyData> segmented = mesh;
+  if (!this->Segments.empty())
+  {
+    segmented = Segmented(mesh, this->Segments, console);
+  }
+  else if (!mesh->GetCellData()->HasArray("SegmentId"))
+  {
+    throw CommandError(
+      this->Mesh + ": the mesh has no cell array SegmentId; name a file with --segments.");
+  }
+
+  std::vector<Row> rows;
+  for (const std::string& path : this->References)
+  {
+    rows.push_back(this->Compare(segmented, Segmented(mesh, path, console), path, console));
+  }
+  rows.push_back(this->Mean(rows));
+  if (this->Json)
+  {
+    this->PrintJson(rows);
+  }
+  else if (this->Csv)
+  {
+    this->PrintCsv(rows);
+  }
+  else
+  {
+    this->PrintTable(rows);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> EvaluateCommand::Segmented(
+  vtkPolyData* mesh, const std::string& path, Console& console)
+{
+  const std::string extension = files::Extension(path);
+  if (extension != ".vtp" && extension != ".vtk")
+  {
+    return files::ReadSegments(mesh, path, console);
+  }
+  vtkSmartPointer<vtkPolyData> segmented = files::ReadPolyData(path, console);
+  if (!segmented->GetCellData()->HasArray("SegmentId"))
+  {
+    throw CommandError(path + ": the mesh has no cell array SegmentId.");
+  }
+  return segmented;
+}
+
+EvaluateCommand::Row EvaluateCommand::Compare(
+  vtkPolyData* segmented, vtkPolyData* reference, const std::string& path, Console& console)
+{
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetInputData(0, segmented);
+  metrics->SetInputData(1, reference);
+  console.Update(metrics, path);
+  vtkTable* table = metrics->GetOutput();
+  Row row{ path, {} };
+  this->Names.clear();
+  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  {
+    this->Names.emplace_back(table->GetColumnName(column));
+    row.Values.push_back(table->GetValue(0, column).ToDouble());
+  }
+  return row;
+}
+
+EvaluateCommand::Row EvaluateCommand::Mean(const std::vector<Row>& rows) const
+{
+  Row mean{ "mean", std::vector<double>(this->Names.size(), 0.0) };
+  for (const Row& row : rows)
+  {
+    for (std::size_t i = 0; i < row.Values.size(); ++i)
+    {
+      mean.Values[i] += row.Values[i] / rows.size();
+    }
+  }
+  return mean;
+}
+
+void EvaluateCommand::PrintTable(const std::vector<Row>& rows) const
+{
+  // With one reference its mean would say the same again.
+  const std::size_t shown = rows.size() == 2 ? 1 : rows.size();
+  constexpr int widthOfName = 24;
+  std::vector<int> widths;
+  std::cout << std::left << std::setw(widthOfName) << "" << std::right;
+  for (std::size_t i = 0; i < shown; ++i)
+  {
+    const std::string title = i + 1 == rows.size() ? "mean" : files::Stem(rows[i].Reference);
+    widths.push_back(2 + std::max<int>(8, static_cast<int>(title.size())));
+    std::cout << std::setw(widths[i]) << title;
+  }
+  std::cout << "\n" << std::fixed << std::setprecision(4);
+  for (std::size_t name = 0; name < this->Names.size(); ++name)
+  {
+    std::cout << std::left << std::setw(widthOfName) << this->Names[name] << std::right;
+    for (std::size_t i = 0; i < shown; ++i)
+    {
+      std::cout << std::setw(widths[i]) << rows[i].Values[name];
+    }
+    std::cout << "\n";
+  }
+}
+
+void EvaluateCommand::PrintCsv(const std::vector<Row>& rows) const
+{
+  std::cout << "reference";
+  for (const std::string& name : this->Names)
+  {
+    std::cout << "," << name;
+  }
+  std::cout << "\n";
+  for (const Row& row : rows)
+  {
+    std::cout << row.Reference;
+    for (const double value : row.Values)
+    {
+      std::cout << "," << Number(value, "");
+    }
+    std::cout << "\n";
+  }
+}
+
+void EvaluateCommand::PrintJson(const std::vector<Row>& rows) const
+{
+  const auto print = [this](const Row& row)
+  {
+    for (std::size_t i = 0; i < row.Values.size(); ++i)
+    {
+      std::cout << (i > 0 ? ", " : "") << Quoted(this->Names[i]) << ": "
+                << Number(row.Values[i], "null");
+    }
+  };
+  std::cout << "{\n  \"mesh\": " << Quoted(this->Mesh) << ",\n  \"references\": [\n";
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+  {
+    std::cout << "    { \"reference\": " << Quoted(rows[i].Reference) << ", ";
+    print(rows[i]);
+    std::cout << (i + 2 < rows.size() ? " },\n" : " }\n");
+  }
+  std::cout << "  ],\n  \"mean\": { ";
+  print(rows.back());
+  std::cout << " }\n}\n";
+}
