@@ -17,22 +17,6 @@ std::string FileOf(
 {
   return folder + "/" + kind + "/" + std::to_string(mesh) + ending;
 }
-
-std::vector<int> ReadSegments(const std::string& path, std::size_t faces)
-{
-  std::ifstream file(path);
-  std::vector<int> segments;
-  for (int id = 0; file >> id;)
-  {
-    segments.push_back(id);
-  }
-  if (segments.size() != faces)
-  {
-    throw std::runtime_error(path + ": " + std::to_string(segments.size()) +
-      " integers for a mesh of " + std::to_string(faces) + " faces.");
-  }
-  return segments;
-}
 }
 
 std::vector<Category> ReadIndex(const std::string& folder)
@@ -60,6 +44,22 @@ std::vector<Category> ReadIndex(const std::string& folder)
   return categories;
 }
 
+std::vector<int> ReadSegmentFile(const std::string& path, std::size_t faces)
+{
+  std::ifstream file(path);
+  std::vector<int> segments;
+  for (int id = 0; file >> id;)
+  {
+    segments.push_back(id);
+  }
+  if (segments.size() != faces)
+  {
+    throw std::runtime_error(path + ": " + std::to_string(segments.size()) +
+      " integers for a mesh of " + std::to_string(faces) + " faces.");
+  }
+  return segments;
+}
+
 std::string MeshFile(const std::string& folder, int mesh)
 {
   return FileOf(folder, "meshes", mesh, ".off");
@@ -67,12 +67,12 @@ std::string MeshFile(const std::string& folder, int mesh)
 
 std::vector<int> ReadLabels(const std::string& folder, int mesh, std::size_t faces)
 {
-  return ReadSegments(FileOf(folder, "labels", mesh, ".seg"), faces);
+  return ReadSegmentFile(FileOf(folder, "labels", mesh, ".seg"), faces);
 }
 
 std::vector<int> ReadPieces(const std::string& folder, int mesh, std::size_t faces)
 {
-  return ReadSegments(FileOf(folder, "pieces", mesh, ".seg"), faces);
+  return ReadSegmentFile(FileOf(folder, "pieces", mesh, ".seg"), faces);
 }
 
 std::vector<std::vector<int>> ReadHumans(const std::string& folder, int mesh, std::size_t faces)
@@ -83,7 +83,7 @@ std::vector<std::vector<int>> ReadHumans(const std::string& folder, int mesh, st
     const std::string path = FileOf(folder, "humans", mesh, "_" + std::to_string(k) + ".seg");
     if (std::filesystem::exists(path))
     {
-      humans.push_back(ReadSegments(path, faces));
+      humans.push_back(ReadSegmentFile(path, faces));
     }
     else if (k > 0)
     {

@@ -27,6 +27,9 @@ struct Category
 /// In the order of the file.
 std::vector<Category> ReadIndex(const std::string& folder);
 
+/// One integer per face.
+std::vector<int> ReadSegmentFile(const std::string& path, std::size_t faces);
+
 std::string MeshFile(const std::string& folder, int mesh);
 std::vector<int> ReadLabels(const std::string& folder, int mesh, std::size_t faces);
 std::vector<int> ReadPieces(const std::string& folder, int mesh, std::size_t faces);

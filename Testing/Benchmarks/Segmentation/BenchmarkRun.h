@@ -41,8 +41,7 @@ public:
   /// Throws std::runtime_error.
   void Measure();
 
-  /// After Measure, on the first rank: everything in the tables.
-  const std::vector<Category>& GetCategories() const { return this->Categories; }
+  /// After Measure, on the first rank: everything in the tables, that of earlier runs too.
   std::vector<Result> Pairs() const { return this->PairTable.Results(); }
   std::vector<Result> Meshes() const { return this->MeshTable.Results(); }
 

@@ -2,8 +2,10 @@
 // marrow-benchmark-segmentation: every mesh of a labelled collection as the source, every other mesh
 // of its category as the target; see README.md beside this file.
 #include "BenchmarkRun.h"
+#include "HtmlReport.h"
 #include "Ranks.h"
 #include "Summary.h"
+#include "Thumbnails.h"
 
 #include <vtkFileOutputWindow.h>
 #include <vtkLogger.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <thread>
 
 using namespace marrow::bench;
@@ -30,6 +33,57 @@ void RedirectMessages(const std::string& resultFolder)
   window->AppendOn();
   vtkOutputWindow::SetInstance(window);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
+
+/// The pairs of least label accuracy, a few of each category.
+std::vector<Result> WorstPairs(const std::vector<Result>& pairs)
+{
+  constexpr std::size_t ofEach = 2;
+  std::map<std::string, std::vector<Result>> ofCategory;
+  for (const Result& pair : pairs)
+  {
+    if (pair.Error.empty())
+    {
+      ofCategory[pair.Category].push_back(pair);
+    }
+  }
+  std::vector<Result> worst;
+  for (auto& [category, results] : ofCategory)
+  {
+    const auto end = results.begin() + std::min(ofEach, results.size());
+    std::partial_sort(results.begin(), end, results.end(),
+      [](const Result& a, const Result& b)
+      { return a.Value("label_accuracy") < b.Value("label_accuracy"); });
+    worst.insert(worst.end(), results.begin(), end);
+  }
+  return worst;
+}
+
+void WriteReports(
+  const BenchmarkRun& run, const BenchmarkOptions& options, const ReferenceFigures& figures)
+{
+  const std::vector<Result> pairs = run.Pairs();
+  std::vector<std::string> names;
+  for (const Category& category : ReadIndex(options.DataFolder))
+  {
+    if (std::any_of(pairs.begin(), pairs.end(),
+          [&](const Result& pair) { return pair.Category == category.Name; }))
+    {
+      names.push_back(category.Name);
+    }
+  }
+  const std::vector<SummaryRow> summary = Summarize(names, pairs, run.Meshes(), figures);
+  WriteSummary(summary, options.ResultFolder + "/summary.csv");
+  PrintSummary(summary, std::cout);
+  std::vector<Picture> pictures;
+  if (CanDraw())
+  {
+    for (const Result& pair : WorstPairs(pairs))
+    {
+      pictures.emplace_back(pair, DrawThumbnail(options.DataFolder, options.ResultFolder, pair));
+    }
+  }
+  WriteHtmlReport(options.ResultFolder + "/report.html", summary, pairs, run.Meshes(), pictures);
 }
 }
 
@@ -66,14 +120,7 @@ int main(int argc, char** argv)
     run.Measure();
     if (processes.IsFirst())
     {
-      std::vector<std::string> names;
-      for (const Category& category : run.GetCategories())
-      {
-        names.push_back(category.Name);
-      }
-      const std::vector<SummaryRow> summary = Summarize(names, run.Pairs(), run.Meshes(), figures);
-      WriteSummary(summary, options.ResultFolder + "/summary.csv");
-      PrintSummary(summary, std::cout);
+      WriteReports(run, options, figures);
     }
   }
   catch (const std::exception& error)
