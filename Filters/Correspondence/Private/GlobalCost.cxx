@@ -14,19 +14,27 @@ namespace
 {
 // Weights of the parts of the cost.
 constexpr double LengthWeight = 0.9;
+constexpr double LengthTolerance = 0.1;
 constexpr double ProfileWeight = 1.0;
 constexpr double ChordWeight = 0.15;
-constexpr double CentricityWeight = 0.3;
+constexpr double AngleWeight = 0.2;
+constexpr double CentricityWeight = 0.2;
 constexpr double TaperWeight = 1.0;
 constexpr double UnmatchedCost = 0.6;
-constexpr double SplitWeight = 1.0;
-constexpr double PoseWeight = 0.2;
+constexpr double SplitWeight = 0.6;
+constexpr double PoseWeight = 0.15;
 /// Small: left from right, where all else is equal; a left hand is still like a right hand.
 constexpr double HandednessWeight = 0.025;
 /// Paths in different components on one side and in the same on the other.
 constexpr double Impossible = 2.0;
 /// Quadruples grow with the fourth power of this.
 constexpr std::size_t MaximumHandedTerminals = 6;
+
+/// Differences below the tolerance count little: they must not outweigh what tells left from right.
+double Soften(double difference)
+{
+  return difference * difference / (difference + LengthTolerance);
+}
 
 /// Signed volume of a tetrahedron over its mean edge cubed.
 double Volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
@@ -74,9 +82,11 @@ GlobalCost::GlobalCost(const TerminalPaths& source, const TerminalPaths& target)
             cost = s.Exists == t.Exists ? 0.0 : Impossible;
             continue;
           }
-          cost = LengthWeight * std::abs(s.Length - t.Length) / std::max(s.Length, t.Length) +
+          cost =
+            LengthWeight * Soften(std::abs(s.Length - t.Length) / std::max(s.Length, t.Length)) +
             ProfileWeight * ProfileDistance(s.Profile, t.Profile) +
-            ChordWeight * ProfileDistance(s.Chords, t.Chords);
+            ChordWeight * ProfileDistance(s.Chords, t.Chords) +
+            AngleWeight * std::abs(s.Angle - t.Angle);
         }
       }
     }
@@ -202,7 +212,7 @@ double GlobalCost::SplitCost(const Assignment& targetOf) const
   std::vector<std::pair<Mask, double>> targetSplits;
   for (const auto& split : this->Source.GetSplits())
   {
-    sourceSplits.emplace_back(canonical(split.Beyond), this->Source.Graph().Length(split.Branch));
+    sourceSplits.emplace_back(canonical(split.Beyond), split.Cost);
   }
   for (const auto& split : this->Target.GetSplits())
   {
@@ -214,13 +224,13 @@ double GlobalCost::SplitCost(const Assignment& targetOf) const
         mask |= Mask(1) << sourceOf[j];
       }
     }
-    targetSplits.emplace_back(canonical(mask), this->Target.Graph().Length(split.Branch));
+    targetSplits.emplace_back(canonical(mask), split.Cost);
   }
   double cost = 0.0;
   for (const auto& [splits, others] :
     { std::pair{ &sourceSplits, &targetSplits }, std::pair{ &targetSplits, &sourceSplits } })
   {
-    for (const auto& [mask, length] : *splits)
+    for (const auto& [mask, splitCost] : *splits)
     {
       // Also the complement may be a single terminal.
       if (trivial(mask) || trivial(matched & ~mask))
@@ -231,7 +241,7 @@ double GlobalCost::SplitCost(const Assignment& targetOf) const
       if (std::none_of(others->begin(), others->end(),
             [&](const std::pair<Mask, double>& other) { return other.first == wanted; }))
       {
-        cost += 0.5 * length;
+        cost += 0.5 * splitCost;
       }
     }
   }

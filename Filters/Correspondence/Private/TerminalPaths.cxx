@@ -19,6 +19,15 @@ constexpr double ChordEnds[] = { 0.2, 0.35 };
 /// Where on a terminal's branch points are taken, from the tip on; the second one sees how a foot
 /// stands on its leg.
 constexpr double SampleFractions[] = { 0.0, 0.15, 0.5, 1.0 };
+
+/// Between the inner halves of two terminal branches: the outer halves move with the pose.
+double AngleBetween(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const Eigen::Vector3d u = (a[2] - a[3]).normalized();
+  const Eigen::Vector3d v = (b[2] - b[3]).normalized();
+  return std::acos(std::clamp(u.dot(v), -1.0, 1.0)) / pi;
+}
 }
 
 TerminalPaths::TerminalPaths(const FeatureGraph& graph)
@@ -131,6 +140,7 @@ void TerminalPaths::FindPaths()
         path.Darts.push_back(arrival[f]);
       }
       std::reverse(path.Darts.begin(), path.Darts.end());
+      path.Angle = AngleBetween(this->Samples[from], this->Samples[to]);
       path.Profile = graph.Profile(path.Darts, FeatureGraph::Measure::MSP, ProfilePieces);
       // The root: a leg and an ear differ by as much as a leg and a body.
       for (double& value : path.Profile)
@@ -228,7 +238,12 @@ void TerminalPaths::FindSplits()
     const auto several = [](Mask mask) { return (mask & (mask - 1)) != 0; };
     if (several(back) && several(front))
     {
-      this->Splits.push_back({ branch, back });
+      const FeatureGraph& graph = this->Skeleton;
+      const auto& a = graph.GetFeatures()[graph.Origin(2 * branch)];
+      const auto& b = graph.GetFeatures()[graph.Head(2 * branch)];
+      const double radius = 0.5 * (a.Radius + b.Radius) / graph.TotalLength();
+      const double length = graph.Length(branch);
+      this->Splits.push_back({ branch, back, length * length / (length + radius) });
     }
   }
 }

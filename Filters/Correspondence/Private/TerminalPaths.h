@@ -26,12 +26,15 @@ public:
     double Length = 0.0;         ///< over the weighted mean length of all paths
     std::vector<double> Profile; ///< square root of MSP in equal pieces
     std::vector<double> Chords;  ///< straightness of the middle parts, in [0,1]
+    double Angle = 0.0;          ///< between the directions of the two terminal branches, over π
   };
   /// A branch whose removal splits the terminals in two sets of at least two each.
   struct Split
   {
     int Branch = -1;
     Mask Beyond = 0; ///< the terminals on the side of the branch's back
+    double Cost =
+      0.0; ///< of contracting it: its length, but little while that is within the junctions
   };
 
   explicit TerminalPaths(const FeatureGraph& graph);
