@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace marrow
 {
@@ -155,106 +156,167 @@ std::optional<BoundaryTransfer::Seat> BoundaryTransfer::FindSeat(const SegmentLo
   return {};
 }
 
-std::optional<BoundaryTransfer::Cut> BoundaryTransfer::Transfer(
-  const SegmentLoop& loop, const Seat& seat)
+BoundaryTransfer::SourceLoop BoundaryTransfer::Describe(
+  const SegmentLoop& loop, const Seat& seat) const
 {
-  const ChainPair& chain = this->Match.Chains[seat.Chain];
-  const std::vector<int> vertices = loop.Vertices(this->Source.Mesh);
-  Cut cut;
-  cut.SourceRatio = seat.Ratio;
-  cut.TargetRatio = this->Map.TargetRatio(seat.Chain, seat.Ratio);
-
-  // The source's plane looks along the chain.
-  FittingPlane sourcePlane = FitPlane(this->Source.Mesh, vertices);
-  const double reach = std::max(sourcePlane.Radius, 0.05 * chain.Source.Length());
-  const Eigen::Vector3d tangent =
-    TangentOfChain(this->Source.Skeleton, chain.Source, seat.Ratio, reach);
-  if (sourcePlane.Normal.dot(tangent) < 0.0)
+  const TriangleMesh& mesh = this->Source.Mesh;
+  const Branch& chain = this->Match.Chains[seat.Chain].Source;
+  SourceLoop result;
+  result.Vertices = loop.Vertices(mesh);
+  result.EdgeLength = EdgeLengthAround(mesh, result.Vertices);
+  result.Plane = FitPlane(mesh, result.Vertices);
+  const double reach = std::max(result.Plane.Radius, 0.05 * chain.Length());
+  if (result.Plane.Normal.dot(TangentOfChain(this->Source.Skeleton, chain, seat.Ratio, reach)) <
+    0.0)
   {
-    sourcePlane.Normal = -sourcePlane.Normal;
+    result.Plane.Normal = -result.Plane.Normal;
   }
   double leftOffset = 0.0;
-  double widest = 0.0;
   for (int h : loop.HalfEdges)
   {
-    leftOffset += sourcePlane.Offset(this->Source.Mesh.Centroid(TriangleMesh::TriangleOf(h))) -
-      sourcePlane.Offset(
-        this->Source.Mesh.Centroid(TriangleMesh::TriangleOf(this->Source.Mesh.Opposite[h])));
-    widest = std::max(
-      widest, std::abs(sourcePlane.Offset(this->Source.Mesh.Points[this->Source.Mesh.From(h)])));
+    leftOffset += result.Plane.Offset(mesh.Centroid(TriangleMesh::TriangleOf(h))) -
+      result.Plane.Offset(mesh.Centroid(TriangleMesh::TriangleOf(mesh.Opposite[h])));
+    result.WidestOffset =
+      std::max(result.WidestOffset, std::abs(result.Plane.Offset(mesh.Points[mesh.From(h)])));
   }
-  cut.LeftIsFront = leftOffset < 0.0;
+  result.LeftIsFront = leftOffset < 0.0;
+  return result;
+}
 
-  // Carried to the target: places by the chains' points, directions by the map, lengths by MSP.
+std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferByFrame(
+  const SegmentLoop& loop, const Seat& seat, double targetRatio)
+{
+  const ChainPair& chain = this->Match.Chains[seat.Chain];
+  const SourceLoop source = this->Describe(loop, seat);
+  // Places are carried by the chains' points, directions by the map, lengths by MSP.
   const Eigen::Vector3d sourcePoint = PointOnChain(this->Source.Skeleton, chain.Source, seat.Ratio);
   const Eigen::Vector3d targetPoint =
-    PointOnChain(this->Target.Skeleton, chain.Target, cut.TargetRatio);
-  const Eigen::Matrix3d toTarget = this->Map.Rotation(seat.Chain, seat.Ratio).transpose();
+    PointOnChain(this->Target.Skeleton, chain.Target, targetRatio);
   const auto perimeter = [](const AnalyzedMesh& side, const Branch& branch, double ratio)
   {
     return InterpolateOnChain(
       branch, ratio, [&](int node) { return side.Skeleton.Graph[node].MSP; });
   };
   const double sourceMSP = perimeter(this->Source, chain.Source, seat.Ratio);
-  const double targetMSP = perimeter(this->Target, chain.Target, cut.TargetRatio);
-  const double scale = sourceMSP > 0.0 && targetMSP > 0.0
+  const double targetMSP = perimeter(this->Target, chain.Target, targetRatio);
+  TargetRing ring;
+  ring.ToTarget = this->Map.Rotation(seat.Chain, seat.Ratio).transpose();
+  ring.Scale = sourceMSP > 0.0 && targetMSP > 0.0
     ? targetMSP / sourceMSP
     : 1.0 / this->Map.RadialScale(seat.Chain, seat.Ratio);
-  FittingPlane targetPlane;
-  targetPlane.Center = targetPoint + scale * (toTarget * (sourcePlane.Center - sourcePoint));
-  targetPlane.Normal = toTarget * sourcePlane.Normal;
-  targetPlane.Radius = scale * sourcePlane.Radius;
-
-  std::vector<Eigen::Vector3d> sourceRays;
-  std::vector<Eigen::Vector3d> targetRays;
-  for (const Eigen::Vector3d& sample : SampleLoop(this->Source.Mesh, vertices, NumberOfRays))
+  ring.Plane.Center =
+    targetPoint + ring.Scale * (ring.ToTarget * (source.Plane.Center - sourcePoint));
+  ring.Plane.Normal = ring.ToTarget * source.Plane.Normal;
+  ring.Plane.Radius = ring.Scale * source.Plane.Radius;
+  std::vector<Eigen::Vector3d> rayEnds;
+  for (const Eigen::Vector3d& sample : SampleLoop(this->Source.Mesh, source.Vertices, NumberOfRays))
   {
-    const Eigen::Vector3d inPlane = sample - sourcePlane.Offset(sample) * sourcePlane.Normal;
-    sourceRays.push_back(inPlane);
-    targetRays.push_back(targetPlane.Center + scale * (toTarget * (inPlane - sourcePlane.Center)));
+    const Eigen::Vector3d ray =
+      sample - source.Plane.Offset(sample) * source.Plane.Normal - source.Plane.Center;
+    rayEnds.push_back(ring.Plane.Center + ring.Scale * (ring.ToTarget * ray));
   }
+  ring.Seeds = SeedsOfRays(this->Target.Mesh, ring.Plane.Center, rayEnds);
+  return this->TransferToRing(source, ring);
+}
 
+std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferByMap(const SegmentLoop& loop,
+  const Seat& seat, const std::vector<Eigen::Vector3d>& mappedVertices,
+  const std::vector<Eigen::Vector3d>& foundPoints)
+{
+  const SourceLoop source = this->Describe(loop, seat);
+  const std::vector<Eigen::Vector3d> samples =
+    SampleLoop(this->Source.Mesh, source.Vertices, 2 * NumberOfRays);
+  TargetRing ring;
+  double sourceRadius = 0.0;
+  for (const Eigen::Vector3d& sample : samples)
+  {
+    // The vertex that the map brings nearest, and whose own match is near as well.
+    double least = std::numeric_limits<double>::infinity();
+    int seed = 0;
+    for (int v = 0; v < this->Target.Mesh.NumberOfVertices(); ++v)
+    {
+      const double cost =
+        (mappedVertices[v] - sample).squaredNorm() + (foundPoints[v] - sample).squaredNorm();
+      if (cost < least)
+      {
+        least = cost;
+        seed = v;
+      }
+    }
+    if (ring.Seeds.empty() || ring.Seeds.back() != seed)
+    {
+      ring.Seeds.push_back(seed);
+    }
+    sourceRadius += (sample - source.Plane.Center).norm() / samples.size();
+  }
+  if (ring.Seeds.size() < 3)
+  {
+    return {};
+  }
+  ring.Plane = FitPlane(this->Target.Mesh, ring.Seeds);
+  const Eigen::Matrix3d rotation = this->Map.Rotation(seat.Chain, seat.Ratio).transpose();
+  const Eigen::Vector3d carried = rotation * source.Plane.Normal;
+  if (ring.Plane.Normal.dot(carried) < 0.0)
+  {
+    ring.Plane.Normal = -ring.Plane.Normal;
+  }
+  ring.ToTarget =
+    Eigen::Quaterniond::FromTwoVectors(carried, ring.Plane.Normal).toRotationMatrix() * rotation;
+  ring.Scale = sourceRadius > 0.0 ? ring.Plane.Radius / sourceRadius : 1.0;
+  return this->TransferToRing(source, ring);
+}
+
+std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferToRing(
+  const SourceLoop& source, const TargetRing& ring)
+{
+  if (ring.Scale <= 0.0 || ring.Seeds.size() < 3)
+  {
+    return {};
+  }
   // One relative height for both annuli, so that equal v means equal places: enough for the loop
   // and for a few rows of triangles on the coarser mesh.
-  const double sourceEdge = EdgeLengthAround(this->Source.Mesh, vertices);
-  const ChainPosition at = LocateOnChain(chain.Target, cut.TargetRatio);
-  const std::vector<int>& ring = this->Target.Skeleton.Graph[chain.Target.Nodes[at.Index]].Vertices;
-  const double targetEdge =
-    ring.empty() ? scale * sourceEdge : EdgeLengthAround(this->Target.Mesh, ring);
-  const double halfHeight =
-    std::max({ widest + sourceEdge, 2.5 * sourceEdge, 2.5 * targetEdge / scale });
-  auto sourceRegion = BuildCoveringRegion(
-    this->Source.Mesh, this->SourcePaths, sourcePlane, sourceRays, halfHeight, vertices);
+  const double targetEdge = EdgeLengthAround(this->Target.Mesh, ring.Seeds);
+  const double halfHeight = std::max({ source.WidestOffset + source.EdgeLength,
+    2.5 * source.EdgeLength, 2.5 * targetEdge / ring.Scale });
+  std::vector<Eigen::Vector3d> rayEnds;
+  for (const Eigen::Vector3d& sample : SampleLoop(this->Source.Mesh, source.Vertices, NumberOfRays))
+  {
+    rayEnds.push_back(sample - source.Plane.Offset(sample) * source.Plane.Normal);
+  }
+  auto sourceRegion = BuildCoveringRegion(this->Source.Mesh, this->SourcePaths, source.Plane,
+    SeedsOfRays(this->Source.Mesh, source.Plane.Center, rayEnds), halfHeight, source.Vertices);
   auto targetRegion = BuildCoveringRegion(
-    this->Target.Mesh, this->TargetPaths, targetPlane, targetRays, scale * halfHeight, {});
+    this->Target.Mesh, this->TargetPaths, ring.Plane, ring.Seeds, ring.Scale * halfHeight, {});
   if (!sourceRegion || !targetRegion)
   {
     return {};
   }
   const auto sourceMap = CylinderMap::Build(this->SourcePaths, this->Source.Mesh,
-    std::move(*sourceRegion), sourcePlane.Center, sourcePlane.Normal);
+    std::move(*sourceRegion), source.Plane.Center, source.Plane.Normal);
   auto targetMap = CylinderMap::Build(this->TargetPaths, this->Target.Mesh,
-    std::move(*targetRegion), targetPlane.Center, targetPlane.Normal);
+    std::move(*targetRegion), ring.Plane.Center, ring.Plane.Normal);
   if (!sourceMap || !targetMap)
   {
     return {};
   }
   Eigen::Matrix<double, 3, 2> sourceAxes;
-  sourceAxes.col(0) = sourcePlane.Normal.unitOrthogonal();
-  sourceAxes.col(1) = sourcePlane.Normal.cross(sourceAxes.col(0));
-  const Eigen::Matrix<double, 3, 2> targetAxes = toTarget * sourceAxes;
+  sourceAxes.col(0) = source.Plane.Normal.unitOrthogonal();
+  sourceAxes.col(1) = source.Plane.Normal.cross(sourceAxes.col(0));
+  const Eigen::Matrix<double, 3, 2> targetAxes = ring.ToTarget * sourceAxes;
   targetMap->Rotate(FindRotation(
     this->Source.Mesh, *sourceMap, sourceAxes, this->Target.Mesh, *targetMap, targetAxes));
 
+  Cut cut;
+  cut.LeftIsFront = source.LeftIsFront;
   SnakeGoal goal;
-  goal.Plane = targetPlane;
+  goal.Plane = ring.Plane;
   goal.SearchRadius = this->SearchRadius;
   goal.DihedralTolerance = this->Settings.DihedralTolerance;
-  for (int v : vertices)
+  for (int v : source.Vertices)
   {
     cut.Curve.Uv.push_back(sourceMap->OfVertex(v));
     cut.Curve.Points.push_back(targetMap->PointAt(cut.Curve.Uv.back()));
-    goal.Offsets.push_back(scale * sourcePlane.Offset(this->Source.Mesh.Points[v]));
+    goal.Offsets.push_back(ring.Scale * source.Plane.Offset(this->Source.Mesh.Points[v]));
     goal.DihedralAngles.push_back(this->Source.DihedralAngle[v]);
   }
   RefineCurve(this->Target, *targetMap, goal, cut.Curve);

@@ -44,13 +44,39 @@ public:
     /// from the chain's front.
     std::vector<std::pair<int, char>> Sides;
     bool LeftIsFront = false; ///< whether the source loop's left side is the one before it
-    double SourceRatio = 0.0;
-    double TargetRatio = 0.0;
   };
-  /// Nothing if source or target have no annulus there.
-  std::optional<Cut> Transfer(const SegmentLoop& loop, const Seat& seat);
+
+  /// The paper's way: the plane of the loop is carried by the frames of the matched branches to
+  /// `targetRatio` of the target's chain, and rays find the surface there. Nothing if source or
+  /// target have no annulus.
+  std::optional<Cut> TransferByFrame(const SegmentLoop& loop, const Seat& seat, double targetRatio);
+
+  /// Ours: the points of the loop find the surface by the guided map. It holds near junctions, where
+  /// a branch's plane and rays leave the limb.
+  std::optional<Cut> TransferByMap(const SegmentLoop& loop, const Seat& seat,
+    const std::vector<Eigen::Vector3d>& mappedVertices,
+    const std::vector<Eigen::Vector3d>& foundPoints);
 
 private:
+  struct SourceLoop
+  {
+    std::vector<int> Vertices;
+    FittingPlane Plane;        ///< looks along the chain
+    double WidestOffset = 0.0; ///< of the loop from its plane
+    double EdgeLength = 0.0;
+    bool LeftIsFront = false;
+  };
+  /// The same on the target, before there is a curve.
+  struct TargetRing
+  {
+    FittingPlane Plane;
+    Eigen::Matrix3d ToTarget; ///< turns source directions
+    double Scale = 1.0;       ///< target lengths over source lengths
+    std::vector<int> Seeds;
+  };
+  SourceLoop Describe(const SegmentLoop& loop, const Seat& seat) const;
+  std::optional<Cut> TransferToRing(const SourceLoop& loop, const TargetRing& ring);
+
   const AnalyzedMesh& Source;
   const AnalyzedMesh& Target;
   const MatchedSkeletons& Match;

@@ -35,73 +35,6 @@ double MeetTriangle(const TriangleMesh& mesh, int triangle, const Eigen::Vector3
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 ? t : none;
 }
 
-/// One vertex of the surface for every ray. A ray that is too short is prolonged up to twice its
-/// length; a longer one is clamped where it leaves the surface.
-std::vector<int> SeedsOfRays(const TriangleMesh& mesh, const Eigen::Vector3d& center,
-  const std::vector<Eigen::Vector3d>& rayEnds)
-{
-  double longest = 0.0;
-  for (const Eigen::Vector3d& end : rayEnds)
-  {
-    longest = std::max(longest, (end - center).norm());
-  }
-  std::vector<int> near;
-  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    const double reach = 2.0 * longest +
-      (mesh.Points[mesh.Triangles[t][0]] - mesh.Points[mesh.Triangles[t][1]]).norm() +
-      (mesh.Points[mesh.Triangles[t][0]] - mesh.Points[mesh.Triangles[t][2]]).norm();
-    if ((mesh.Points[mesh.Triangles[t][0]] - center).squaredNorm() <= reach * reach)
-    {
-      near.push_back(t);
-    }
-  }
-  std::vector<int> seeds;
-  for (const Eigen::Vector3d& end : rayEnds)
-  {
-    const Eigen::Vector3d direction = end - center;
-    double first = 2.0;
-    int hit = -1;
-    for (int t : near)
-    {
-      const double at = MeetTriangle(mesh, t, center, direction);
-      if (at < first)
-      {
-        first = at;
-        hit = t;
-      }
-    }
-    const Eigen::Vector3d place = hit >= 0 ? Eigen::Vector3d(center + first * direction) : end;
-    double least = std::numeric_limits<double>::infinity();
-    int seed = -1;
-    const auto consider = [&](int triangle)
-    {
-      for (int corner : mesh.Triangles[triangle])
-      {
-        const double distance = (mesh.Points[corner] - place).squaredNorm();
-        if (distance < least)
-        {
-          least = distance;
-          seed = corner;
-        }
-      }
-    };
-    if (hit >= 0)
-    {
-      consider(hit);
-    }
-    else
-    {
-      std::for_each(near.begin(), near.end(), consider);
-    }
-    if (seed >= 0 && (seeds.empty() || seeds.back() != seed))
-    {
-      seeds.push_back(seed);
-    }
-  }
-  return seeds;
-}
-
 /// Joins the seeds to a closed chain of vertices.
 std::vector<int> ConnectSeeds(const TriangleMesh& mesh, PathFinder& paths,
   const FittingPlane& plane, const std::vector<int>& seeds)
@@ -330,12 +263,76 @@ std::vector<bool> GrowBand(const TriangleMesh& mesh, const std::vector<int>& rin
 }
 }
 
+std::vector<int> SeedsOfRays(const TriangleMesh& mesh, const Eigen::Vector3d& center,
+  const std::vector<Eigen::Vector3d>& rayEnds)
+{
+  double longest = 0.0;
+  for (const Eigen::Vector3d& end : rayEnds)
+  {
+    longest = std::max(longest, (end - center).norm());
+  }
+  std::vector<int> near;
+  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const double reach = 2.0 * longest +
+      (mesh.Points[mesh.Triangles[t][0]] - mesh.Points[mesh.Triangles[t][1]]).norm() +
+      (mesh.Points[mesh.Triangles[t][0]] - mesh.Points[mesh.Triangles[t][2]]).norm();
+    if ((mesh.Points[mesh.Triangles[t][0]] - center).squaredNorm() <= reach * reach)
+    {
+      near.push_back(t);
+    }
+  }
+  std::vector<int> seeds;
+  for (const Eigen::Vector3d& end : rayEnds)
+  {
+    const Eigen::Vector3d direction = end - center;
+    double first = 2.0;
+    int hit = -1;
+    for (int t : near)
+    {
+      const double at = MeetTriangle(mesh, t, center, direction);
+      if (at < first)
+      {
+        first = at;
+        hit = t;
+      }
+    }
+    const Eigen::Vector3d place = hit >= 0 ? Eigen::Vector3d(center + first * direction) : end;
+    double least = std::numeric_limits<double>::infinity();
+    int seed = -1;
+    const auto consider = [&](int triangle)
+    {
+      for (int corner : mesh.Triangles[triangle])
+      {
+        const double distance = (mesh.Points[corner] - place).squaredNorm();
+        if (distance < least)
+        {
+          least = distance;
+          seed = corner;
+        }
+      }
+    };
+    if (hit >= 0)
+    {
+      consider(hit);
+    }
+    else
+    {
+      std::for_each(near.begin(), near.end(), consider);
+    }
+    if (seed >= 0 && (seeds.empty() || seeds.back() != seed))
+    {
+      seeds.push_back(seed);
+    }
+  }
+  return seeds;
+}
+
 std::optional<CoveringRegion> BuildCoveringRegion(const TriangleMesh& mesh, PathFinder& paths,
-  const FittingPlane& plane, const std::vector<Eigen::Vector3d>& rayEnds, double halfWidth,
+  const FittingPlane& plane, const std::vector<int>& seeds, double halfWidth,
   const std::vector<int>& mustCover)
 {
-  const std::vector<int> ring =
-    ConnectSeeds(mesh, paths, plane, SeedsOfRays(mesh, plane.Center, rayEnds));
+  const std::vector<int> ring = ConnectSeeds(mesh, paths, plane, seeds);
   if (ring.size() < 3)
   {
     return {};

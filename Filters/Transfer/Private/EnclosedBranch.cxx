@@ -11,46 +11,6 @@ namespace marrow
 {
 namespace
 {
-/// Marks the triangles to the left of the loop by 1 and those to the right by 0; false if the loop
-/// does not separate the surface.
-bool SidesOfLoop(
-  const TriangleMesh& mesh, const std::vector<int>& halfEdges, std::vector<char>& sides)
-{
-  std::vector<bool> isCut(mesh.Opposite.size(), false);
-  for (int h : halfEdges)
-  {
-    isCut[h] = true;
-    isCut[mesh.Opposite[h]] = true;
-  }
-  sides.assign(mesh.NumberOfTriangles(), 0);
-  std::vector<int> stack;
-  for (int h : halfEdges)
-  {
-    const int triangle = TriangleMesh::TriangleOf(h);
-    if (!sides[triangle])
-    {
-      sides[triangle] = 1;
-      stack.push_back(triangle);
-    }
-  }
-  while (!stack.empty())
-  {
-    const int triangle = stack.back();
-    stack.pop_back();
-    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h)
-    {
-      const int opposite = mesh.Opposite[h];
-      if (opposite >= 0 && !isCut[h] && !sides[TriangleMesh::TriangleOf(opposite)])
-      {
-        sides[TriangleMesh::TriangleOf(opposite)] = 1;
-        stack.push_back(TriangleMesh::TriangleOf(opposite));
-      }
-    }
-  }
-  return std::none_of(halfEdges.begin(), halfEdges.end(),
-    [&](int h) { return sides[TriangleMesh::TriangleOf(mesh.Opposite[h])] != 0; });
-}
-
 /// Per node the share of its vertices to the left of the loop. Nodes without vertices take the mean
 /// of their neighbours.
 std::vector<double> ShareOfNodes(
@@ -197,6 +157,44 @@ double CrossingOfPlane(const Skeleton& skeleton, const Branch& branch, const Fit
   }
   return best;
 }
+}
+
+bool SidesOfLoop(
+  const TriangleMesh& mesh, const std::vector<int>& halfEdges, std::vector<char>& sides)
+{
+  std::vector<bool> isCut(mesh.Opposite.size(), false);
+  for (int h : halfEdges)
+  {
+    isCut[h] = true;
+    isCut[mesh.Opposite[h]] = true;
+  }
+  sides.assign(mesh.NumberOfTriangles(), 0);
+  std::vector<int> stack;
+  for (int h : halfEdges)
+  {
+    const int triangle = TriangleMesh::TriangleOf(h);
+    if (!sides[triangle])
+    {
+      sides[triangle] = 1;
+      stack.push_back(triangle);
+    }
+  }
+  while (!stack.empty())
+  {
+    const int triangle = stack.back();
+    stack.pop_back();
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h)
+    {
+      const int opposite = mesh.Opposite[h];
+      if (opposite >= 0 && !isCut[h] && !sides[TriangleMesh::TriangleOf(opposite)])
+      {
+        sides[TriangleMesh::TriangleOf(opposite)] = 1;
+        stack.push_back(TriangleMesh::TriangleOf(opposite));
+      }
+    }
+  }
+  return std::none_of(halfEdges.begin(), halfEdges.end(),
+    [&](int h) { return sides[TriangleMesh::TriangleOf(mesh.Opposite[h])] != 0; });
 }
 
 FittingPlane FitPlane(const TriangleMesh& mesh, const std::vector<int>& loopVertices)

@@ -26,6 +26,11 @@ struct FittingPlane
 };
 FittingPlane FitPlane(const TriangleMesh& mesh, const std::vector<int>& loopVertices);
 
+/// Marks the triangles to the left of the loop by 1 and those to the right by 0; false if the loop
+/// does not separate the surface.
+bool SidesOfLoop(
+  const TriangleMesh& mesh, const std::vector<int>& halfEdges, std::vector<char>& sides);
+
 /// What a loop encloses.
 struct Enclosure
 {

@@ -254,7 +254,10 @@ SkeletonMap::Anchor MatchGhostBoundaries(
   const std::vector<GhostBoundary>& source, const std::vector<GhostBoundary>& target)
 {
   SkeletonMap::Anchor best;
-  double least = std::numeric_limits<double>::infinity();
+  // The paper takes the best pair however bad it is; but two landmarks that are more than a tenth of
+  // the branch apart are more likely two different places, and would drag the boundaries along.
+  constexpr double mostCost = 0.01;
+  double least = mostCost;
   const auto isInside = [](double ratio) { return ratio > 0.01 && ratio < 0.99; };
   for (const GhostBoundary& s : source)
   {

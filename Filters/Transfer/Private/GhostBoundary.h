@@ -25,8 +25,8 @@ struct GhostBoundary
 std::vector<GhostBoundary> FindGhostBoundaries(
   const AnalyzedMesh& side, const Branch& chain, double theta, double kernel);
 
-/// The pair of least cost C_b; not valid if either list is empty or no pair leaves both halves of
-/// both chains a length.
+/// The pair of least cost C_b; not valid if there is none of cost below 0.01 whose ratios are inside
+/// (0.01, 0.99).
 SkeletonMap::Anchor MatchGhostBoundaries(
   const std::vector<GhostBoundary>& source, const std::vector<GhostBoundary>& target);
 }

@@ -46,6 +46,27 @@ Eigen::MatrixXd SmoothTransforms(const AnalyzedMesh& target,
   }
   return MeshSmoother(target.Mesh, width).Smooth(rows);
 }
+
+double Misfit(const AnalyzedMesh& target, const std::vector<SourceSearch::Query>& queries,
+  const std::vector<SourceSearch::Answer>& answers, const std::vector<double>& certainty)
+{
+  const std::vector<double> areas = target.Mesh.VertexAreas();
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t v = 0; v < queries.size(); ++v)
+  {
+    const double squared = (answers[v].Position - queries[v].Position).squaredNorm();
+    const double scale = queries[v].Radius * queries[v].Radius;
+    const double misfit = certainty[v] < 1.0 || answers[v].Triangle < 0
+      ? 1.0
+      : std::min(1.0,
+          (scale > 0.0 ? squared / scale : 1.0) +
+            0.5 * (1.0 - answers[v].Normal.dot(queries[v].Normal)));
+    sum += areas[v] * misfit;
+    total += areas[v];
+  }
+  return total > 0.0 ? sum / total : 1.0;
+}
 }
 
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
@@ -56,7 +77,7 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const int numberOfVertices = mesh.NumberOfVertices();
   GuidedMap result;
   result.Positions.resize(numberOfVertices);
-  result.SourceTriangle.assign(numberOfVertices, -1);
+  result.FoundPoints.resize(numberOfVertices);
   result.Certainty.assign(numberOfVertices, 1.0);
 
   const double meanRadius = MeanRadius(target);
@@ -108,6 +129,7 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   {
     return result;
   }
+  result.Misfit = Misfit(target, queries, answers, result.Certainty);
   Eigen::MatrixXd displacements(numberOfVertices, 3);
   for (int v = 0; v < numberOfVertices; ++v)
   {
@@ -129,7 +151,7 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   for (int v = 0; v < numberOfVertices; ++v)
   {
     result.Positions[v] = queries[v].Position;
-    result.SourceTriangle[v] = answers[v].Triangle;
+    result.FoundPoints[v] = answers[v].Position;
     for (const auto& [piece, share] : answers[v].Shares)
     {
       result.Shares(v, piece) += share;

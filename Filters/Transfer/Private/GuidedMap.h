@@ -17,11 +17,15 @@ namespace marrow
 /// boundary, round one branch, several or none, but only as exact as the skeletons.
 struct GuidedMap
 {
-  std::vector<Eigen::Vector3d> Positions; ///< per target vertex, in the source's space
-  std::vector<int> SourceTriangle;        ///< per target vertex, the best match there
-  std::vector<double> Certainty;          ///< per target vertex: 1 on matched branches, else less
+  std::vector<Eigen::Vector3d> Positions;   ///< per target vertex, in the source's space
+  std::vector<Eigen::Vector3d> FoundPoints; ///< per target vertex, the best match on the source
+  std::vector<double> Certainty;            ///< per target vertex: 1 on matched branches, else less
   /// Target vertices x source pieces: how likely the vertex belongs to the piece. Rows sum to 1.
   Eigen::MatrixXd Shares;
+  /// How badly the skeletons alone bring the surfaces together: the mean over the target of squared
+  /// distance over squared radius and of the deviation of normals, [0,1]; parts without a partner
+  /// count as 1.
+  double Misfit = 1.0;
   double Width = 0.0; ///< over which shares change at a boundary, in the target's units
 };
 

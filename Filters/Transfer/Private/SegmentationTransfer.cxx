@@ -2,6 +2,7 @@
 #include "SegmentationTransfer.h"
 
 #include "BoundaryPairs.h"
+#include "BoundaryPlacement.h"
 #include "BoundaryTransfer.h"
 #include "GhostBoundary.h"
 #include "GuidedMap.h"
@@ -12,6 +13,7 @@
 #include "SkeletonMap.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace marrow
@@ -228,12 +230,31 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     {
       continue;
     }
-    if (const auto seat = transfer.FindSeat(loops[i]))
+    const auto seat = transfer.FindSeat(loops[i]);
+    if (!seat)
     {
-      if (auto cut = transfer.Transfer(loops[i], *seat))
+      continue;
+    }
+    // Of the two ways to bring the loop over, the one that agrees better with the map; if neither
+    // does, the map alone decides.
+    constexpr double mostDisagreement = 0.3;
+    double least = mostDisagreement;
+    std::optional<BoundaryTransfer::Cut> best;
+    const auto consider = [&](std::optional<BoundaryTransfer::Cut> cut)
+    {
+      const double disagreement =
+        cut ? Disagreement(source, target, loops[i], *cut, pieces, guided) : 1.0;
+      if (disagreement < least)
       {
-        cuts.push_back({ static_cast<int>(i), std::move(*cut) });
+        least = disagreement;
+        best = std::move(cut);
       }
+    };
+    consider(transfer.TransferByFrame(loops[i], *seat, map.TargetRatio(seat->Chain, seat->Ratio)));
+    consider(transfer.TransferByMap(loops[i], *seat, guided.Positions, guided.FoundPoints));
+    if (best)
+    {
+      cuts.push_back({ static_cast<int>(i), std::move(*best) });
     }
   }
   const RegionMatch regions = MatchRegions(source.Mesh, target.Mesh, loops, cuts);
