@@ -67,7 +67,8 @@ protected:
 
   void ExpectSuccess(const std::string& arguments) const
   {
-    const Outcome outcome = this->Run(arguments);
+    // Warnings are the filters' and no matter of these tests.
+    const Outcome outcome = this->Run("--quiet " + arguments);
     EXPECT_EQ(outcome.ExitCode, 0) << arguments;
     EXPECT_EQ(outcome.Error, "") << arguments;
   }
