@@ -67,6 +67,7 @@ BenchmarkRun::BenchmarkRun(
   {
     std::filesystem::create_directories(options.ResultFolder + "/segments/" + category.Name);
   }
+  this->CheckMethod();
   this->ReadTables();
 }
 
@@ -80,6 +81,28 @@ std::string BenchmarkRun::TableFile(const std::string& name, int rank) const
 {
   const std::string part = rank == 0 ? "" : "-" + std::to_string(rank);
   return this->Options.ResultFolder + "/" + name + part + ".csv";
+}
+
+void BenchmarkRun::CheckMethod() const
+{
+  // Results of two methods must not end in one table.
+  const std::string path = this->Options.ResultFolder + "/method.txt";
+  const std::string method = std::string("skeleton ") +
+    (this->Options.Skeleton == SkeletonKind::MSP ? "msp" : "curvature") + ", until " +
+    (this->Options.Until == LastStage::Skeleton
+        ? "skeleton"
+        : (this->Options.Until == LastStage::Correspondence ? "correspondence" : "transfer"));
+  std::ifstream file(path);
+  std::string earlier;
+  if (std::getline(file, earlier) && earlier != method)
+  {
+    throw std::runtime_error(this->Options.ResultFolder +
+      ": the results there are of another method (" + earlier + "); name another folder.");
+  }
+  if (this->Processes.IsFirst())
+  {
+    std::ofstream(path) << method << "\n";
+  }
 }
 
 void BenchmarkRun::ReadTables()
@@ -121,6 +144,10 @@ void BenchmarkRun::JoinTables()
 std::vector<std::pair<int, int>> BenchmarkRun::MissingPairs(const Category& category) const
 {
   std::vector<std::pair<int, int>> pairs;
+  if (this->Options.Until == LastStage::Skeleton)
+  {
+    return pairs;
+  }
   for (int source = 0; source < static_cast<int>(category.Meshes.size()); ++source)
   {
     for (int target = 0; target < static_cast<int>(category.Meshes.size()); ++target)
@@ -147,8 +174,10 @@ PreparedCategory BenchmarkRun::Prepare(const Category& category)
     own.push_back(i);
   }
   RunJobs(static_cast<int>(own.size()), this->Options.Jobs,
-    [&](int i) {
-      prepared.Meshes[own[i]] = ComputeSkeleton(this->Options.DataFolder, category.Meshes[own[i]]);
+    [&](int i)
+    {
+      prepared.Meshes[own[i]] =
+        ComputeSkeleton(this->Options.DataFolder, category.Meshes[own[i]], this->Options.Skeleton);
     });
   for (int i = 0; i < size; ++i)
   {
@@ -173,26 +202,32 @@ PreparedCategory BenchmarkRun::Prepare(const Category& category)
   return prepared;
 }
 
-void BenchmarkRun::MeasureMeshes(const Category& category, const PreparedCategory& prepared)
+std::vector<int> BenchmarkRun::MissingMeshes(const Category& category) const
 {
-  const auto extremities = this->Figures.ExtremitiesOf.find(category.Name);
-  std::vector<int> missing;
-  for (int i = this->Processes.Rank(); i < static_cast<int>(category.Meshes.size());
-       i += this->Processes.Size())
+  std::vector<int> meshes;
+  for (int i = 0; i < static_cast<int>(category.Meshes.size()); ++i)
   {
     if (!this->MeshTable.Has({ category.Name, category.Meshes[i], category.Meshes[i] }))
     {
-      missing.push_back(i);
+      meshes.push_back(i);
     }
   }
-  RunJobs(static_cast<int>(missing.size()), this->Options.Jobs,
+  return meshes;
+}
+
+void BenchmarkRun::MeasureMeshes(const Category& category, const PreparedCategory& prepared,
+  const std::vector<int>& meshes, ProgressBar& bar)
+{
+  const auto extremities = this->Figures.ExtremitiesOf.find(category.Name);
+  RunJobs(static_cast<int>(meshes.size()), this->Options.Jobs,
     [&](int i)
     {
-      Result result = MeasureSkeleton(prepared.Meshes[missing[i]], category.Labels,
+      Result result = MeasureSkeleton(prepared.Meshes[meshes[i]], category.Labels,
         extremities == this->Figures.ExtremitiesOf.end() ? Extremities() : extremities->second);
       result.Category = category.Name;
       const std::lock_guard<std::mutex> guard(this->Lock);
       this->MeshTable.Add(result);
+      bar.Advance(category.Name + " " + std::to_string(result.Source));
     });
 }
 
@@ -203,9 +238,13 @@ void BenchmarkRun::MeasurePairs(const Category& category, const PreparedCategory
     [&](int i)
     {
       std::vector<int> segments;
-      Result result = MeasurePair(prepared, pairs[i].first, pairs[i].second, segments);
+      Result result = MeasurePair(prepared, pairs[i].first, pairs[i].second,
+        this->Options.Until == LastStage::Transfer, segments);
       result.Category = category.Name;
-      WriteSegments(SegmentFile(this->Options.ResultFolder, result), segments);
+      if (!segments.empty())
+      {
+        WriteSegments(SegmentFile(this->Options.ResultFolder, result), segments);
+      }
       const std::lock_guard<std::mutex> guard(this->Lock);
       this->PairTable.Add(result);
       bar.Advance(category.Name + " " + std::to_string(result.Source) + " to " +
@@ -215,31 +254,45 @@ void BenchmarkRun::MeasurePairs(const Category& category, const PreparedCategory
 
 void BenchmarkRun::Measure()
 {
-  const int rank = this->Processes.Rank();
-  const int ranks = this->Processes.Size();
-  // What is missing is settled before anything is measured, so that the ranks agree.
-  std::vector<std::vector<std::pair<int, int>>> all, own;
+  /// What is missing of a category, and this rank's share of it.
+  struct Work
+  {
+    bool Any = false;
+    std::vector<int> Meshes;
+    std::vector<std::pair<int, int>> Pairs;
+  };
+  // Settled before anything is measured, so that the ranks agree.
+  std::vector<Work> plan;
   int total = 0;
   for (const Category& category : this->Categories)
   {
-    all.push_back(this->MissingPairs(category));
-    own.emplace_back();
-    for (std::size_t i = rank; i < all.back().size(); i += ranks)
-    {
-      own.back().push_back(all.back()[i]);
-    }
-    total += static_cast<int>(own.back().size());
+    const std::vector<int> meshes = this->MissingMeshes(category);
+    const std::vector<std::pair<int, int>> pairs = this->MissingPairs(category);
+    plan.push_back(
+      { !meshes.empty() || !pairs.empty(), this->OwnShare(meshes), this->OwnShare(pairs) });
+    total += static_cast<int>(plan.back().Meshes.size() + plan.back().Pairs.size());
   }
   ProgressBar bar(total, this->Processes.IsFirst() && !this->Options.Quiet);
   for (std::size_t i = 0; i < this->Categories.size(); ++i)
   {
-    if (!all[i].empty())
+    if (plan[i].Any)
     {
       const PreparedCategory prepared = this->Prepare(this->Categories[i]);
-      this->MeasureMeshes(this->Categories[i], prepared);
-      this->MeasurePairs(this->Categories[i], prepared, own[i], bar);
+      this->MeasureMeshes(this->Categories[i], prepared, plan[i].Meshes, bar);
+      this->MeasurePairs(this->Categories[i], prepared, plan[i].Pairs, bar);
     }
   }
   this->JoinTables();
+}
+
+template <typename Item>
+std::vector<Item> BenchmarkRun::OwnShare(const std::vector<Item>& items) const
+{
+  std::vector<Item> own;
+  for (std::size_t i = this->Processes.Rank(); i < items.size(); i += this->Processes.Size())
+  {
+    own.push_back(items[i]);
+  }
+  return own;
 }
 }

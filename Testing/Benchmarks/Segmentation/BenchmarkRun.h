@@ -17,6 +17,14 @@ namespace marrow::bench
 class ProgressBar;
 class Ranks;
 
+/// Where to stop.
+enum class LastStage
+{
+  Skeleton,
+  Correspondence,
+  Transfer
+};
+
 /// What the command line asks for.
 struct BenchmarkOptions
 {
@@ -25,6 +33,8 @@ struct BenchmarkOptions
   std::vector<std::string> Categories; ///< empty: all
   int MeshesPerCategory = 0;           ///< 0: all
   int Jobs = 1;
+  SkeletonKind Skeleton = SkeletonKind::MSP;
+  LastStage Until = LastStage::Transfer;
   bool Quiet = false;
 };
 
@@ -49,14 +59,21 @@ public:
   static std::string SegmentFile(const std::string& resultFolder, const Result& pair);
 
 private:
+  void CheckMethod() const;
   void ReadTables();
   void JoinTables();
   PreparedCategory Prepare(const Category& category);
-  void MeasureMeshes(const Category& category, const PreparedCategory& prepared);
+  void MeasureMeshes(const Category& category, const PreparedCategory& prepared,
+    const std::vector<int>& meshes, ProgressBar& bar);
   void MeasurePairs(const Category& category, const PreparedCategory& prepared,
     const std::vector<std::pair<int, int>>& pairs, ProgressBar& bar);
   /// The ordered pairs (indices of meshes) of which no rank has a result.
   std::vector<std::pair<int, int>> MissingPairs(const Category& category) const;
+  /// The meshes (indices) of which no rank has a result.
+  std::vector<int> MissingMeshes(const Category& category) const;
+  /// Every rank takes every n-th.
+  template <typename Item>
+  std::vector<Item> OwnShare(const std::vector<Item>& items) const;
   std::string TableFile(const std::string& name, int rank) const;
 
   BenchmarkOptions Options;

@@ -19,14 +19,14 @@ namespace
 {
 constexpr const char* Style = R"(
 body { font: 15px/1.45 system-ui, sans-serif; color: #222; background: #fff; margin: 2em auto;
-  max-width: 1080px; padding: 0 1em; }
+  max-width: 1180px; padding: 0 1em; }
 h1, h2 { font-weight: 600; line-height: 1.2; }
 h2 { margin-top: 2em; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { padding: 3px 9px; text-align: right; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
-tr.group td { border-top: 2px solid #999; font-weight: 600; }
+tr.group td { font-weight: 600; } tr.first td { border-top: 2px solid #999; }
 .met { color: #14743a; } .missed { color: #b3261e; }
 svg { max-width: 100%; height: auto; display: block; }
 svg text { font-size: 12px; fill: #333; }
@@ -79,7 +79,8 @@ std::string Table(const std::vector<SummaryRow>& summary, const Columns& columns
   bool inGroups = false;
   for (const SummaryRow& row : summary)
   {
-    html += row.IsGroup && !inGroups ? "<tr class=\"group\">" : "<tr>";
+    html +=
+      !row.IsGroup ? "<tr>" : (inGroups ? "<tr class=\"group\">" : "<tr class=\"group first\">");
     inGroups = row.IsGroup;
     html += "<td>" + Escaped(row.Name) + "</td>";
     for (const auto& [title, column] : columns)

@@ -94,6 +94,32 @@ double MeanConfidence(const PreparedMesh& target, const std::vector<double>& con
   }
   return sum / area;
 }
+
+void MeasureTransfer(const PreparedMesh& source, const PreparedMesh& target,
+  vtkPolyData* sourceSkeleton, vtkPolyData* targetSkeleton, std::vector<int>& segments,
+  Result& result)
+{
+  vtkNew<vtkSegmentationTransfer> transfer;
+  transfer->SetInputData(0, Copy(source.Surface));
+  transfer->SetInputData(1, Copy(target.Surface));
+  transfer->SetInputData(2, sourceSkeleton);
+  transfer->SetInputData(3, targetSkeleton);
+  int warnings = 0;
+  result.Values["seconds_transfer"] = Run(transfer, &warnings);
+  result.Values["warnings"] = warnings;
+
+  vtkCellData* cells = transfer->GetOutput()->GetCellData();
+  const int faces = target.Mesh.NumberOfTriangles();
+  std::vector<double> confidence;
+  if (!GetArray(cells, names::SegmentId, faces, segments) ||
+    !GetArray(cells, names::SegmentConfidence, faces, confidence))
+  {
+    throw std::runtime_error("The transfer's output lacks its arrays.");
+  }
+  result.Values["segment_confidence"] = MeanConfidence(target, confidence);
+  CompareWithHumans(target, segments, result);
+  CompareWithLabels(source, target, segments, result);
+}
 }
 
 const std::vector<std::string>& PairColumns()
@@ -108,8 +134,8 @@ const std::vector<std::string>& PairColumns()
   return columns;
 }
 
-Result MeasurePair(
-  const PreparedCategory& category, int source, int target, std::vector<int>& segments)
+Result MeasurePair(const PreparedCategory& category, int source, int target, bool transfer,
+  std::vector<int>& segments)
 {
   const PreparedMesh& sourceMesh = category.Meshes[source];
   const PreparedMesh& targetMesh = category.Meshes[target];
@@ -136,27 +162,10 @@ Result MeasurePair(
     {
       result.Values["correspondence_confidence"] = confidence->GetTuple1(0);
     }
-
-    vtkNew<vtkSegmentationTransfer> transfer;
-    transfer->SetInputData(0, Copy(sourceMesh.Surface));
-    transfer->SetInputData(1, Copy(targetMesh.Surface));
-    transfer->SetInputData(2, sourceSkeleton);
-    transfer->SetInputData(3, targetSkeleton);
-    int warnings = 0;
-    result.Values["seconds_transfer"] = Run(transfer, &warnings);
-    result.Values["warnings"] = warnings;
-
-    vtkCellData* cells = transfer->GetOutput()->GetCellData();
-    const int faces = targetMesh.Mesh.NumberOfTriangles();
-    std::vector<double> confidence;
-    if (!GetArray(cells, names::SegmentId, faces, segments) ||
-      !GetArray(cells, names::SegmentConfidence, faces, confidence))
+    if (transfer)
     {
-      throw std::runtime_error("The transfer's output lacks its arrays.");
+      MeasureTransfer(sourceMesh, targetMesh, sourceSkeleton, targetSkeleton, segments, result);
     }
-    result.Values["segment_confidence"] = MeanConfidence(targetMesh, confidence);
-    CompareWithHumans(targetMesh, segments, result);
-    CompareWithLabels(sourceMesh, targetMesh, segments, result);
   }
   catch (const std::exception& error)
   {

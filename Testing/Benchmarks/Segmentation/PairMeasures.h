@@ -19,10 +19,10 @@ struct PreparedCategory
 /// The columns of a pair.
 const std::vector<std::string>& PairColumns();
 
-/// Transfers the pieces of one mesh to another and measures everything. `segments` receives the
-/// target's segments. An error of a filter goes into the result. Safe on several threads at once.
-Result MeasurePair(
-  const PreparedCategory& category, int source, int target, std::vector<int>& segments);
+/// Matches two meshes, transfers the pieces of the one to the other if `transfer` is on, and measures
+/// everything. `segments` receives the target's segments. An error of a filter goes into the result. Safe on several threads at once.
+Result MeasurePair(const PreparedCategory& category, int source, int target, bool transfer,
+  std::vector<int>& segments);
 }
 
 #endif

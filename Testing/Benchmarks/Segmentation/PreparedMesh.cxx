@@ -9,6 +9,9 @@
 #include "vtkMSPField.h"
 #include "vtkMSPSkeleton.h"
 #include "vtkOFFReader.h"
+#ifdef MARROW_BENCHMARK_CGAL
+#include "vtkMeanCurvatureSkeleton.h"
+#endif
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -27,6 +30,18 @@ void ThrowIf(const std::string& error)
   {
     throw std::runtime_error(error);
   }
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> NewSkeletonFilter(SkeletonKind kind)
+{
+#ifdef MARROW_BENCHMARK_CGAL
+  if (kind == SkeletonKind::MeanCurvature)
+  {
+    return vtkSmartPointer<vtkMeanCurvatureSkeleton>::New();
+  }
+#endif
+  (void)kind;
+  return vtkSmartPointer<vtkMSPSkeleton>::New();
 }
 
 void ReadFiles(const std::string& folder, PreparedMesh& mesh)
@@ -53,7 +68,16 @@ void ReadFiles(const std::string& folder, PreparedMesh& mesh)
 }
 }
 
-PreparedMesh ComputeSkeleton(const std::string& folder, int mesh)
+bool HasMeanCurvatureSkeleton()
+{
+#ifdef MARROW_BENCHMARK_CGAL
+  return true;
+#else
+  return false;
+#endif
+}
+
+PreparedMesh ComputeSkeleton(const std::string& folder, int mesh, SkeletonKind kind)
 {
   PreparedMesh prepared;
   prepared.Id = mesh;
@@ -65,7 +89,7 @@ PreparedMesh ComputeSkeleton(const std::string& folder, int mesh)
     vtkNew<vtkMSPField> field;
     field->SetInputConnection(reader->GetOutputPort());
     prepared.SecondsForField = Run(field);
-    vtkNew<vtkMSPSkeleton> skeleton;
+    const vtkSmartPointer<vtkPolyDataAlgorithm> skeleton = NewSkeletonFilter(kind);
     skeleton->SetInputConnection(field->GetOutputPort());
     prepared.SecondsForSkeleton = Run(skeleton);
     prepared.Skeleton = vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0));

@@ -36,9 +36,18 @@ struct PreparedMesh
   std::string Error; ///< why there is no skeleton; empty if all went well
 };
 
-/// Runs vtkMSPField and vtkMSPSkeleton with their defaults on the mesh; fills Surface, Skeleton, the
-/// times and Error.
-PreparedMesh ComputeSkeleton(const std::string& folder, int mesh);
+enum class SkeletonKind
+{
+  MSP,          ///< vtkMSPSkeleton
+  MeanCurvature ///< vtkMeanCurvatureSkeleton
+};
+
+/// Whether the program was built with vtkMeanCurvatureSkeleton.
+bool HasMeanCurvatureSkeleton();
+
+/// Runs vtkMSPField and the skeleton's filter with their defaults on the mesh; fills Surface,
+/// Skeleton, the times and Error.
+PreparedMesh ComputeSkeleton(const std::string& folder, int mesh, SkeletonKind kind);
 
 /// Fills the rest from Surface, Skeleton and the benchmark's files; adds to Error.
 void ReadGroundTruth(const std::string& folder, PreparedMesh& mesh);

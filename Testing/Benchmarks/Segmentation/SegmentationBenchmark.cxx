@@ -15,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -42,7 +43,7 @@ std::vector<Result> WorstPairs(const std::vector<Result>& pairs)
   std::map<std::string, std::vector<Result>> ofCategory;
   for (const Result& pair : pairs)
   {
-    if (pair.Error.empty())
+    if (!std::isnan(pair.Value("label_accuracy")))
     {
       ofCategory[pair.Category].push_back(pair);
     }
@@ -63,16 +64,17 @@ void WriteReports(
   const BenchmarkRun& run, const BenchmarkOptions& options, const ReferenceFigures& figures)
 {
   const std::vector<Result> pairs = run.Pairs();
+  const std::vector<Result> meshes = run.Meshes();
   std::vector<std::string> names;
   for (const Category& category : ReadIndex(options.DataFolder))
   {
-    if (std::any_of(pairs.begin(), pairs.end(),
-          [&](const Result& pair) { return pair.Category == category.Name; }))
+    if (std::any_of(meshes.begin(), meshes.end(),
+          [&](const Result& mesh) { return mesh.Category == category.Name; }))
     {
       names.push_back(category.Name);
     }
   }
-  const std::vector<SummaryRow> summary = Summarize(names, pairs, run.Meshes(), figures);
+  const std::vector<SummaryRow> summary = Summarize(names, pairs, meshes, figures);
   WriteSummary(summary, options.ResultFolder + "/summary.csv");
   PrintSummary(summary, std::cout);
   std::vector<Picture> pictures;
@@ -83,7 +85,7 @@ void WriteReports(
       pictures.emplace_back(pair, DrawThumbnail(options.DataFolder, options.ResultFolder, pair));
     }
   }
-  WriteHtmlReport(options.ResultFolder + "/report.html", summary, pairs, run.Meshes(), pictures);
+  WriteHtmlReport(options.ResultFolder + "/report.html", summary, pairs, meshes, pictures);
 }
 }
 
@@ -103,6 +105,24 @@ int main(int argc, char** argv)
       "-o,--output", options.ResultFolder, "Folder for the results; what it holds is kept")
     ->required();
   app.add_option("--category", options.Categories, "Only these categories");
+  const std::map<std::string, SkeletonKind> skeletons = { { "msp", SkeletonKind::MSP },
+    { "curvature", SkeletonKind::MeanCurvature } };
+  app.add_option("--skeleton", options.Skeleton, "msp (default), or the peer: curvature")
+    ->transform(CLI::CheckedTransformer(skeletons))
+    ->check(
+      [](const std::string& kind)
+      {
+        return kind == std::to_string(static_cast<int>(SkeletonKind::MeanCurvature)) &&
+            !HasMeanCurvatureSkeleton()
+          ? "this program was built without CGAL"
+          : "";
+      });
+  const std::map<std::string, LastStage> stages = { { "skeleton", LastStage::Skeleton },
+    { "correspondence", LastStage::Correspondence }, { "transfer", LastStage::Transfer } };
+  app
+    .add_option("--until", options.Until,
+      "The last stage to measure: skeleton, correspondence or transfer (default)")
+    ->transform(CLI::CheckedTransformer(stages));
   app.add_option("--meshes", options.MeshesPerCategory, "Only the first so many of a category")
     ->check(CLI::Range(2, 1000));
   app.add_option("-j,--jobs", options.Jobs, "Pairs at once in this process")
