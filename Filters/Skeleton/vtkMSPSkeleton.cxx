@@ -5,17 +5,15 @@
 #include "FilterSupport.h"
 #include "MSPSkeleton.h"
 #include "MeshBridge.h"
+#include "RequiredMeasures.h"
 #include "SkeletonBridge.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkMSPField.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkMSPSkeleton);
@@ -23,42 +21,6 @@ vtkStandardNewMacro(vtkMSPSkeleton);
 namespace
 {
 constexpr double ProgressAfterMeasures = 0.6;
-
-bool GetMeasures(vtkPolyData* mesh, marrow::SkeletonMeasures& measures)
-{
-  vtkPointData* points = mesh->GetPointData();
-  const int size = static_cast<int>(mesh->GetNumberOfPoints());
-  return marrow::GetArray(points, marrow::names::AGD, size, measures.AGD) &&
-    marrow::GetArray(points, marrow::names::MSP, size, measures.MSP) &&
-    marrow::GetArray(points, marrow::names::MSPCenter, size, measures.MSPCenter) &&
-    marrow::GetArray(points, marrow::names::MSPValid, size, measures.MSPValid);
-}
-
-/// One sentence on the first measure that is not finite; empty if all are.
-std::string FiniteError(const marrow::SkeletonMeasures& measures)
-{
-  const auto sentence = [](const char* name, std::size_t point)
-  {
-    return std::string("The array \"") + name + "\" of the mesh is not finite at point " +
-      std::to_string(point) + ": remove the array, and it is computed anew.";
-  };
-  for (std::size_t i = 0; i < measures.MSP.size(); ++i)
-  {
-    if (!std::isfinite(measures.AGD[i]))
-    {
-      return sentence(marrow::names::AGD, i);
-    }
-    if (!std::isfinite(measures.MSP[i]))
-    {
-      return sentence(marrow::names::MSP, i);
-    }
-    if (!measures.MSPCenter[i].allFinite())
-    {
-      return sentence(marrow::names::MSPCenter, i);
-    }
-  }
-  return {};
-}
 }
 
 vtkMSPSkeleton::vtkMSPSkeleton()
@@ -84,29 +46,15 @@ int vtkMSPSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
 
   meshOutput->ShallowCopy(input);
   marrow::SkeletonMeasures measures;
-  if (!GetMeasures(meshOutput, measures))
-  {
-    vtkNew<vtkMSPField> field;
-    marrow::WatchInner(this, field, 0.0, ProgressAfterMeasures);
-    field->SetInputData(input);
-    field->Update();
-    if (marrow::IsAborted(this))
-    {
-      return 1;
-    }
-    meshOutput->ShallowCopy(field->GetOutput());
-    if (!GetMeasures(meshOutput, measures))
-    {
-      vtkErrorMacro(
-        "The measures of the mesh could not be computed: see the message of vtkMSPField.");
-      return 0;
-    }
-  }
-  error = FiniteError(measures);
+  error = marrow::RequireMeasures(this, 0.0, ProgressAfterMeasures, meshOutput, measures);
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
     return 0;
+  }
+  if (marrow::IsAborted(this))
+  {
+    return 1;
   }
 
   const marrow::Skeleton skeleton = marrow::ComputeMSPSkeleton(mesh, measures, this->FinestArea,

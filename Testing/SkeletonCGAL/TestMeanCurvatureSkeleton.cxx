@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorObserver.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkAppendPolyData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkMSPField.h>
+#include <vtkMeanCurvatureSkeleton.h>
+#include <vtkSegmentationTransfer.h>
+#include <vtkSkeletonCorrespondence.h>
+
+#include <cmath>
+#include <memory>
+
+namespace
+{
+using namespace marrow;
+
+struct Result
+{
+  marrow::Skeleton Skeleton;
+  std::vector<int> NodeOfVertex;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkSmartPointer<vtkPolyData> PolyData;
+  int Terminals = 0;
+};
+
+Result Skeletonize(vtkPolyData* mesh)
+{
+  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  filter->SetInputData(mesh);
+  filter->Update();
+  Result result;
+  result.PolyData = filter->GetOutput(0);
+  result.Mesh = filter->GetOutput(1);
+  EXPECT_EQ(ToSkeleton(result.PolyData, result.Skeleton), "");
+  EXPECT_TRUE(GetArray(result.Mesh->GetPointData(), names::SkeletonNodeId,
+    static_cast<int>(mesh->GetNumberOfPoints()), result.NodeOfVertex));
+  EXPECT_TRUE(SetNodeOfVertices(result.Skeleton, result.NodeOfVertex));
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    result.Terminals += result.Skeleton.TypeOf(n) == NodeType::Terminal;
+  }
+  return result;
+}
+
+TEST(MeanCurvatureSkeleton, CylinderGivesItsAxis)
+{
+  const double length = 12.0;
+  const Result result = Skeletonize(test::ToPolyData(test::MakeCylinder(1.0, length, 32, 80)));
+  EXPECT_EQ(result.Terminals, 2);
+  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
+  EXPECT_GT(result.Skeleton.TotalLength(), 0.8 * length);
+  EXPECT_LT(result.Skeleton.TotalLength(), 1.02 * length);
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    const SkeletonNode& node = result.Skeleton.Graph[n];
+    EXPECT_LT(std::hypot(node.Position.x(), node.Position.y()), 0.1);
+    if (std::abs(node.Position.z()) < 0.35 * length)
+    {
+      EXPECT_NEAR(node.Radius, 1.0, 0.05);
+      EXPECT_NEAR(node.MSP, 2.0 * test::Pi, 0.1);
+    }
+  }
+}
+
+TEST(MeanCurvatureSkeleton, TorusGivesOneClosedBranch)
+{
+  const Result result = Skeletonize(test::ToPolyData(test::MakeTorus(3.0, 1.0, 80, 30)));
+  EXPECT_EQ(result.Terminals, 0);
+  EXPECT_EQ(result.Skeleton.NumberOfLoops(), 1);
+  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
+  EXPECT_TRUE(result.Skeleton.Branches[0].IsLoop());
+  EXPECT_NEAR(result.Skeleton.TotalLength(), 2.0 * test::Pi * 3.0, 0.05 * 2.0 * test::Pi * 3.0);
+}
+
+class Creatures : public testing::TestWithParam<std::pair<int, int>>
+{
+};
+
+TEST_P(Creatures, LoopsAreTheGenusAndEveryVertexHasItsNode)
+{
+  const auto [shape, genus] = GetParam();
+  const test::Creature creature = test::MakeCreature(shape);
+  const Result result = Skeletonize(creature.Mesh);
+  EXPECT_EQ(result.Skeleton.NumberOfLoops(), genus);
+  EXPECT_EQ(result.Skeleton.NumberOfComponents(), 1);
+
+  for (const int node : result.NodeOfVertex)
+  {
+    EXPECT_GE(node, 0);
+  }
+  // The arrays of the nodes are those of φ.
+  TriangleMesh mesh;
+  ASSERT_EQ(ToTriangleMesh(result.Mesh, mesh), "");
+  std::vector<double> agd;
+  std::vector<int> count;
+  vtkPointData* points = result.PolyData->GetPointData();
+  ASSERT_TRUE(GetArray(result.Mesh->GetPointData(), names::AGD, mesh.NumberOfVertices(), agd));
+  ASSERT_TRUE(GetArray(points, names::VertexCount, result.Skeleton.NumberOfNodes(), count));
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    const SkeletonNode& node = result.Skeleton.Graph[n];
+    ASSERT_EQ(count[n], static_cast<int>(node.Vertices.size())) << "node " << n;
+    if (count[n] == 0)
+    {
+      EXPECT_GT(node.Radius, 0.0) << "node " << n;
+      continue;
+    }
+    double sum = 0.0;
+    double distance = 0.0;
+    for (const int v : node.Vertices)
+    {
+      sum += agd[v];
+      distance += (mesh.Points[v] - node.Position).norm();
+    }
+    EXPECT_NEAR(node.AGD, sum / count[n], 1e-9) << "node " << n;
+    EXPECT_NEAR(node.Radius, distance / count[n], 1e-9) << "node " << n;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(MeanCurvatureSkeleton, Creatures,
+  testing::Values(std::pair{ int(vtkCreatureSource::BIPED), 0 },
+    std::pair{ int(vtkCreatureSource::OCTOPUS), 0 }, std::pair{ int(vtkCreatureSource::CHAIR), 3 },
+    std::pair{ int(vtkCreatureSource::SNAKE), 0 }),
+  [](const auto& instance) { return "Shape" + std::to_string(instance.param.first); });
+
+TEST(MeanCurvatureSkeleton, TheSameInEveryRun)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::QUADRUPED);
+  const Result reference = Skeletonize(creature.Mesh);
+  // Freed in disorder, so that the next run gets its memory in another order.
+  std::vector<std::unique_ptr<char[]>> blocks;
+  for (int i = 0; i < 100000; ++i)
+  {
+    blocks.push_back(std::make_unique<char[]>(16 + 16 * (i * 7919 % 13)));
+  }
+  for (const int i : test::RandomOrder(static_cast<int>(blocks.size()), 3))
+  {
+    blocks[i].reset();
+  }
+  const Result again = Skeletonize(creature.Mesh);
+  EXPECT_EQ(again.NodeOfVertex, reference.NodeOfVertex);
+  ASSERT_EQ(again.Skeleton.NumberOfNodes(), reference.Skeleton.NumberOfNodes());
+  for (int n = 0; n < again.Skeleton.NumberOfNodes(); ++n)
+  {
+    ASSERT_EQ(again.Skeleton.Graph[n].Position, reference.Skeleton.Graph[n].Position);
+  }
+}
+
+TEST(MeanCurvatureSkeleton, DoesNotDependOnTheUnit)
+{
+  const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 12.0, 24, 60));
+  const Result reference = Skeletonize(mesh);
+  for (const double scale : { 1e-7, 3e6 })
+  {
+    const Result scaled = Skeletonize(test::Transformed(
+      mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return scale * p; }));
+    EXPECT_EQ(scaled.Terminals, 2) << scale;
+    EXPECT_EQ(scaled.Skeleton.NumberOfBranches(), 1) << scale;
+    EXPECT_NEAR(scaled.Skeleton.TotalLength() / scale, reference.Skeleton.TotalLength(),
+      0.02 * reference.Skeleton.TotalLength())
+      << scale;
+  }
+}
+
+TEST(MeanCurvatureSkeleton, ABallGivesAShortCurveOrSaysThatItGivesNone)
+{
+  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  test::ErrorObserver errors(filter);
+  filter->SetInputData(test::ToPolyData(test::MakeSphere(1.0, 4)));
+  filter->Update();
+  marrow::Skeleton skeleton;
+  if (errors.Errors.empty())
+  {
+    ASSERT_EQ(ToSkeleton(filter->GetOutput(0), skeleton), "");
+    EXPECT_LT(skeleton.TotalLength(), 1.0);
+  }
+  else
+  {
+    EXPECT_TRUE(errors.HasError("gives no skeleton of this mesh")) << errors.Text();
+  }
+}
+
+TEST(MeanCurvatureSkeleton, WeightsAreThoseOfTheFlow)
+{
+  const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 12.0, 24, 60));
+  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  filter->SetInputData(mesh);
+  filter->Update();
+  const double byDefault = filter->GetOutput(0)->GetLength();
+  filter->SetMediallyCenteredSpeedTradeoff(0.0);
+  filter->Update();
+  const double notCentered = filter->GetOutput(0)->GetLength();
+  EXPECT_GT(std::abs(notCentered - byDefault), 0.02 * byDefault);
+  filter->SetQualitySpeedTradeoff(1.0);
+  filter->Update();
+  EXPECT_NE(filter->GetOutput(0)->GetLength(), notCentered);
+}
+
+TEST(MeanCurvatureSkeleton, PointsWithoutTrianglesHaveNoNode)
+{
+  TriangleMesh cylinder = test::MakeCylinder(1.0, 10.0, 24, 40);
+  cylinder.Points.insert(cylinder.Points.begin(), Eigen::Vector3d(0.0, 0.0, 0.5));
+  for (auto& triangle : cylinder.Triangles)
+  {
+    triangle = { triangle[0] + 1, triangle[1] + 1, triangle[2] + 1 };
+  }
+  const Result result = Skeletonize(test::ToPolyData(cylinder));
+  EXPECT_EQ(result.NodeOfVertex[0], -1);
+  // The numbers of the others are not shifted: φ lies round its node.
+  for (int v = 1; v < cylinder.NumberOfVertices(); ++v)
+  {
+    const int node = result.NodeOfVertex[v];
+    ASSERT_GE(node, 0);
+    EXPECT_LT((cylinder.Points[v] - result.Skeleton.Graph[node].Position).norm(), 2.5);
+  }
+}
+
+TEST(MeanCurvatureSkeleton, UsesTheMeasuresThatAreThereAndKeepsTheUsersArrays)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
+  vtkNew<vtkMSPField> field;
+  field->SetInputData(creature.Mesh);
+  field->Update();
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(field->GetOutput());
+  changed->GetPointData()->GetArray(names::AGD)->Fill(0.625);
+  const Result result = Skeletonize(changed);
+  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+  {
+    EXPECT_DOUBLE_EQ(result.Skeleton.Graph[n].AGD, 0.625);
+  }
+  EXPECT_EQ(result.Mesh->GetCellData()->GetArray(names::SegmentId),
+    changed->GetCellData()->GetArray(names::SegmentId));
+  EXPECT_EQ(result.Mesh->GetPoints(), changed->GetPoints());
+}
+
+TEST(MeanCurvatureSkeleton, StandsForTheMSPSkeleton)
+{
+  test::CreatureOptions options;
+  const test::Creature source = test::MakeCreature(vtkCreatureSource::QUADRUPED, options);
+  options.Pose = 0.4;
+  options.Seed = 2;
+  const test::Creature target = test::MakeCreature(vtkCreatureSource::QUADRUPED, options);
+  const Result sourceResult = Skeletonize(source.Mesh);
+  const Result targetResult = Skeletonize(target.Mesh);
+
+  vtkNew<vtkSkeletonCorrespondence> correspondence;
+  test::ErrorObserver errors(correspondence);
+  correspondence->SetInputData(0, sourceResult.PolyData);
+  correspondence->SetInputData(1, targetResult.PolyData);
+  correspondence->Update();
+  EXPECT_TRUE(errors.Errors.empty()) << errors.Text();
+  auto* matched = vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(0));
+  std::vector<int> ids;
+  ASSERT_TRUE(GetArray(
+    matched->GetPointData(), names::CorrespondenceId, sourceResult.Skeleton.NumberOfNodes(), ids));
+  int matchedTerminals = 0;
+  for (int n = 0; n < sourceResult.Skeleton.NumberOfNodes(); ++n)
+  {
+    matchedTerminals += ids[n] >= 0 && sourceResult.Skeleton.TypeOf(n) == NodeType::Terminal;
+  }
+  EXPECT_GE(matchedTerminals, 4);
+
+  vtkNew<vtkSegmentationTransfer> transfer;
+  test::ErrorObserver transferErrors(transfer);
+  transfer->SetInputData(0, sourceResult.Mesh);
+  transfer->SetInputData(1, targetResult.Mesh);
+  transfer->SetInputConnection(2, correspondence->GetOutputPort(0));
+  transfer->SetInputConnection(3, correspondence->GetOutputPort(1));
+  transfer->Update();
+  EXPECT_TRUE(transferErrors.Errors.empty()) << transferErrors.Text();
+  EXPECT_TRUE(transfer->GetOutput(0)->GetCellData()->GetArray(names::SegmentId));
+}
+
+TEST(MeanCurvatureSkeleton, SaysWhatIsWrong)
+{
+  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  test::ErrorObserver errors(filter);
+
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("The mesh is empty")) << errors.Text();
+
+  errors.Clear();
+  const TriangleMesh cylinder = test::MakeCylinder(1.0, 10.0, 12, 20);
+  TriangleMesh open = cylinder;
+  open.Triangles.pop_back();
+  filter->SetInputData(test::ToPolyData(open));
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("3 border edges")) << errors.Text();
+  EXPECT_TRUE(errors.HasError("close its holes first")) << errors.Text();
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+
+  errors.Clear();
+  const auto one = test::ToPolyData(cylinder);
+  const auto two = test::Transformed(
+    one, [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return p + Eigen::Vector3d(9, 0, 0); });
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(one);
+  append->AddInputData(two);
+  filter->SetInputConnection(append->GetOutputPort());
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("2 components: keep one")) << errors.Text();
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+
+  errors.Clear();
+  vtkNew<vtkMSPField> field;
+  field->SetInputData(one);
+  field->Update();
+  vtkNew<vtkPolyData> broken;
+  broken->DeepCopy(field->GetOutput());
+  broken->GetPointData()->GetArray(names::MSP)->SetTuple1(7, std::nan(""));
+  filter->SetInputData(broken);
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("\"MSP\" of the mesh is not finite at point 7")) << errors.Text();
+
+  // A mesh without an inside: nothing can contract.
+  errors.Clear();
+  TriangleMesh flat = cylinder;
+  for (auto& point : flat.Points)
+  {
+    point = Eigen::Vector3d(1.0, 2.0, 3.0);
+  }
+  filter->SetInputData(test::ToPolyData(flat));
+  filter->Update();
+  EXPECT_TRUE(errors.HasError("gives no skeleton of this mesh")) << errors.Text();
+}
+
+TEST(MeanCurvatureSkeleton, StopsWhenAsked)
+{
+  const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
+  // Measures are there, so that it is the contraction that is stopped.
+  vtkNew<vtkMSPField> field;
+  field->SetInputData(creature.Mesh);
+  field->Update();
+  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  test::ErrorObserver errors(filter);
+  filter->SetInputData(field->GetOutput());
+  struct Abort : vtkCommand
+  {
+    static Abort* New() { return new Abort; }
+    void Execute(vtkObject* caller, unsigned long, void* fraction) override
+    {
+      if (*static_cast<double*>(fraction) > 0.2)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    }
+  };
+  vtkNew<Abort> abort;
+  filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(errors.Errors.empty()) << errors.Text();
+}
+}
