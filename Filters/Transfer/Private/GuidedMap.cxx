@@ -46,27 +46,6 @@ Eigen::MatrixXd SmoothTransforms(const AnalyzedMesh& target,
   }
   return MeshSmoother(target.Mesh, width).Smooth(rows);
 }
-
-double Misfit(const AnalyzedMesh& target, const std::vector<SourceSearch::Query>& queries,
-  const std::vector<SourceSearch::Answer>& answers, const std::vector<double>& certainty)
-{
-  const std::vector<double> areas = target.Mesh.VertexAreas();
-  double sum = 0.0;
-  double total = 0.0;
-  for (std::size_t v = 0; v < queries.size(); ++v)
-  {
-    const double squared = (answers[v].Position - queries[v].Position).squaredNorm();
-    const double scale = queries[v].Radius * queries[v].Radius;
-    const double misfit = certainty[v] < 1.0 || answers[v].Triangle < 0
-      ? 1.0
-      : std::min(1.0,
-          (scale > 0.0 ? squared / scale : 1.0) +
-            0.5 * (1.0 - answers[v].Normal.dot(queries[v].Normal)));
-    sum += areas[v] * misfit;
-    total += areas[v];
-  }
-  return total > 0.0 ? sum / total : 1.0;
-}
 }
 
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
@@ -129,7 +108,6 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   {
     return result;
   }
-  result.Misfit = Misfit(target, queries, answers, result.Certainty);
   Eigen::MatrixXd displacements(numberOfVertices, 3);
   for (int v = 0; v < numberOfVertices; ++v)
   {

@@ -22,10 +22,6 @@ struct GuidedMap
   std::vector<double> Certainty;            ///< per target vertex: 1 on matched branches, else less
   /// Target vertices x source pieces: how likely the vertex belongs to the piece. Rows sum to 1.
   Eigen::MatrixXd Shares;
-  /// How badly the skeletons alone bring the surfaces together: the mean over the target of squared
-  /// distance over squared radius and of the deviation of normals, [0,1]; parts without a partner
-  /// count as 1.
-  double Misfit = 1.0;
   double Width = 0.0; ///< over which shares change at a boundary, in the target's units
 };
 

@@ -194,7 +194,8 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const TransferParameters& parameters, const Progress& progress)
 {
   TransferResult result;
-  const auto goesOn = [&](double fraction)
+  // Once told to stop, nobody is asked again.
+  const Progress watched = [&](double fraction)
   {
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
@@ -205,14 +206,14 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   SetAnchors(source, target, match, parameters, map);
   const bool anyMatched = !match.IsEmpty();
   const std::vector<bool> isTransferred = TransferredPieces(source, pieces, map, anyMatched);
-  if (!goesOn(0.1))
+  if (!watched(0.1))
   {
     return result;
   }
 
   const GuidedMap guided = BuildGuidedMap(
-    source, target, map, anyMatched, pieces, isTransferred, SubProgress(progress, 0.1, 0.5));
-  if (!goesOn(0.5))
+    source, target, map, anyMatched, pieces, isTransferred, SubProgress(watched, 0.1, 0.5));
+  if (!watched(0.5))
   {
     return result;
   }
@@ -222,7 +223,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     source, target, match, map, { parameters.Lambda, parameters.SearchRegion });
   for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    if (!goesOn(0.5 + 0.2 * i / loops.size()))
+    if (!watched(0.5 + 0.2 * i / loops.size()))
     {
       return result;
     }
@@ -261,8 +262,8 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const AllowedPieces allowed =
     PiecesOfRegions(pieces, regions, isTransferred, parameters.StrictBoundaries);
   std::vector<int> pieceOfTriangle = LabelInterior(
-    target, guided, regions.RegionOfTriangle, allowed, SubProgress(progress, 0.7, 0.9));
-  if (!goesOn(0.9))
+    target, guided, regions.RegionOfTriangle, allowed, SubProgress(watched, 0.7, 0.9));
+  if (!watched(0.9))
   {
     return result;
   }
@@ -281,7 +282,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   SetConfidence(target, guided, pieces, correspondenceConfidence, result);
   SetMissing(pieces, pieceOfTriangle, result);
   result.Boundaries = PairBoundaries(source, target, pieces, loops, cuts, guided, pieceOfTriangle);
-  goesOn(1.0);
+  watched(1.0);
   return result;
 }
 }
