@@ -250,10 +250,10 @@ std::vector<GhostBoundary> FindGhostBoundaries(
   return ghosts;
 }
 
-SkeletonMap::Anchor MatchGhostBoundaries(
+std::optional<Landmark> MatchGhostBoundaries(
   const std::vector<GhostBoundary>& source, const std::vector<GhostBoundary>& target)
 {
-  SkeletonMap::Anchor best;
+  std::optional<Landmark> best;
   // The paper takes the best pair however bad it is; but two landmarks that are more than a tenth of
   // the branch apart are more likely two different places, and would drag the boundaries along.
   constexpr double mostCost = 0.01;
@@ -268,7 +268,7 @@ SkeletonMap::Anchor MatchGhostBoundaries(
       if (cost < least && isInside(s.Ratio) && isInside(t.Ratio))
       {
         least = cost;
-        best = { true, s.Ratio, t.Ratio };
+        best = Landmark{ s.Ratio, t.Ratio };
       }
     }
   }

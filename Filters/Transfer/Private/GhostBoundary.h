@@ -3,8 +3,9 @@
 #define marrow_GhostBoundary_h
 
 #include "AnalyzedMesh.h"
-#include "SkeletonMap.h"
+#include "ChainAlignment.h"
 
+#include <optional>
 #include <vector>
 
 namespace marrow
@@ -25,9 +26,9 @@ struct GhostBoundary
 std::vector<GhostBoundary> FindGhostBoundaries(
   const AnalyzedMesh& side, const Branch& chain, double theta, double kernel);
 
-/// The pair of least cost C_b; not valid if there is none of cost below 0.01 whose ratios are inside
+/// The pair of least cost C_b; nothing if there is none of cost below 0.01 whose ratios are inside
 /// (0.01, 0.99).
-SkeletonMap::Anchor MatchGhostBoundaries(
+std::optional<Landmark> MatchGhostBoundaries(
   const std::vector<GhostBoundary>& source, const std::vector<GhostBoundary>& target);
 }
 

@@ -13,6 +13,7 @@
 #include "SkeletonMap.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -20,24 +21,23 @@ namespace marrow
 {
 namespace
 {
-void SetAnchors(const AnalyzedMesh& source, const AnalyzedMesh& target,
+void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const MatchedSkeletons& match, const TransferParameters& parameters, SkeletonMap& map)
 {
   for (std::size_t c = 0; c < match.Chains.size(); ++c)
   {
-    const auto sourceGhosts =
-      FindGhostBoundaries(source, match.Chains[c].Source, parameters.Theta, parameters.Kernel);
-    if (!sourceGhosts.empty())
-    {
-      map.SetAnchor(static_cast<int>(c),
-        MatchGhostBoundaries(sourceGhosts,
-          FindGhostBoundaries(
-            target, match.Chains[c].Target, parameters.Theta, parameters.Kernel)));
-    }
+    const Branch& sourceChain = match.Chains[c].Source;
+    const Branch& targetChain = match.Chains[c].Target;
+    const auto landmark = MatchGhostBoundaries(
+      FindGhostBoundaries(source, sourceChain, parameters.Theta, parameters.Kernel),
+      FindGhostBoundaries(target, targetChain, parameters.Theta, parameters.Kernel));
+    map.SetAlignment(
+      static_cast<int>(c), AlignChains(source, sourceChain, target, targetChain, landmark));
   }
 }
 
-/// Pieces that lie for the most part on matched branches.
+/// Pieces that hold a part of what is matched: a matched node whose φ lies for the most part in them.
+/// (A body is one even if most of its surface belongs to a branch of its own that has no partner.)
 std::vector<bool> TransferredPieces(
   const AnalyzedMesh& source, const SegmentPieces& pieces, const SkeletonMap& map, bool anyMatched)
 {
@@ -46,20 +46,28 @@ std::vector<bool> TransferredPieces(
     return std::vector<bool>(pieces.NumberOfPieces(), true);
   }
   const std::vector<bool> isMatched = map.MatchedSourceNodes();
-  std::vector<double> matched(pieces.NumberOfPieces(), 0.0);
+  std::vector<std::map<int, double>> areaInPieces(isMatched.size());
   for (int t = 0; t < source.Mesh.NumberOfTriangles(); ++t)
   {
     const double third = source.Mesh.Area(t) / 3.0;
     for (int corner : source.Mesh.Triangles[t])
     {
       const int node = source.NodeOfVertex[corner];
-      matched[pieces.PieceOfTriangle[t]] += node >= 0 && isMatched[node] ? third : 0.0;
+      if (node >= 0 && isMatched[node])
+      {
+        areaInPieces[node][pieces.PieceOfTriangle[t]] += third;
+      }
     }
   }
-  std::vector<bool> result(pieces.NumberOfPieces());
-  for (int p = 0; p < pieces.NumberOfPieces(); ++p)
+  std::vector<bool> result(pieces.NumberOfPieces(), false);
+  for (const auto& shares : areaInPieces)
   {
-    result[p] = matched[p] >= 0.5 * pieces.AreaOfPiece[p];
+    if (!shares.empty())
+    {
+      const auto most = std::max_element(shares.begin(), shares.end(),
+        [](const auto& x, const auto& y) { return x.second < y.second; });
+      result[most->first] = true;
+    }
   }
   // If no piece qualifies there is nothing better than to try them all.
   return std::count(result.begin(), result.end(), true) > 0
@@ -203,7 +211,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const SegmentPieces pieces = FindPieces(source.Mesh, labels);
   const std::vector<SegmentLoop> loops = FindLoops(source.Mesh, pieces);
   SkeletonMap map(source, target, match);
-  SetAnchors(source, target, match, parameters, map);
+  SetAlignments(source, target, match, parameters, map);
   const bool anyMatched = !match.IsEmpty();
   const std::vector<bool> isTransferred = TransferredPieces(source, pieces, map, anyMatched);
   if (!watched(0.1))

@@ -62,7 +62,7 @@ SkeletonMap::SkeletonMap(
   , Target(target)
   , Match(match)
   , Frames(match.Chains.size())
-  , Anchors(match.Chains.size())
+  , Alignments(match.Chains.size())
 {
   this->ComputeGlobalRotation();
   for (std::size_t c = 0; c < match.Chains.size(); ++c)
@@ -71,34 +71,10 @@ SkeletonMap::SkeletonMap(
   }
 }
 
-void SkeletonMap::SetAnchor(int chain, const Anchor& anchor)
+void SkeletonMap::SetAlignment(int chain, ChainAlignment alignment)
 {
-  this->Anchors[chain] = anchor;
+  this->Alignments[chain] = std::move(alignment);
   this->ComputeChainFrames(chain);
-}
-
-double SkeletonMap::TargetRatio(int chain, double sourceRatio) const
-{
-  const Anchor& anchor = this->Anchors[chain];
-  if (!anchor.Valid)
-  {
-    return sourceRatio;
-  }
-  return sourceRatio <= anchor.Source
-    ? sourceRatio * anchor.Target / anchor.Source
-    : anchor.Target + (sourceRatio - anchor.Source) * (1.0 - anchor.Target) / (1.0 - anchor.Source);
-}
-
-double SkeletonMap::SourceRatio(int chain, double targetRatio) const
-{
-  const Anchor& anchor = this->Anchors[chain];
-  if (!anchor.Valid)
-  {
-    return targetRatio;
-  }
-  return targetRatio <= anchor.Target
-    ? targetRatio * anchor.Source / anchor.Target
-    : anchor.Source + (targetRatio - anchor.Target) * (1.0 - anchor.Source) / (1.0 - anchor.Target);
 }
 
 void SkeletonMap::ComputeGlobalRotation()

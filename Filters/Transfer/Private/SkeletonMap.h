@@ -3,6 +3,7 @@
 #define marrow_SkeletonMap_h
 
 #include "AnalyzedMesh.h"
+#include "ChainAlignment.h"
 #include "MatchedSkeletons.h"
 
 #include <Eigen/Core>
@@ -24,18 +25,17 @@ public:
   SkeletonMap(
     const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match);
 
-  /// A pair of places on one chain that are known to correspond (ghost boundaries, T:4.1).
-  struct Anchor
-  {
-    bool Valid = false;
-    double Source = 0.0;
-    double Target = 0.0;
-  };
-  void SetAnchor(int chain, const Anchor& anchor);
+  /// Which places of a chain pair correspond; equal ratios until it is set.
+  void SetAlignment(int chain, ChainAlignment alignment);
 
-  /// Equal ratios where there is no anchor; else linear on both sides of it.
-  double TargetRatio(int chain, double sourceRatio) const;
-  double SourceRatio(int chain, double targetRatio) const;
+  double TargetRatio(int chain, double sourceRatio) const
+  {
+    return this->Alignments[chain].TargetRatio(sourceRatio);
+  }
+  double SourceRatio(int chain, double targetRatio) const
+  {
+    return this->Alignments[chain].SourceRatio(targetRatio);
+  }
 
   /// Turns target directions into source directions.
   Eigen::Matrix3d Rotation(int chain, double sourceRatio) const;
@@ -54,7 +54,7 @@ public:
     Eigen::Matrix<double, 3, 4> Transform =
       Eigen::Matrix<double, 3, 4>::Zero(); ///< target to source
   };
-  /// One place per target node, after the anchors were set.
+  /// One place per target node, after the alignments were set.
   std::vector<Place> PlacesOfTargetNodes() const;
   /// Whether a source node lies on a matched chain or is a matched node.
   std::vector<bool> MatchedSourceNodes() const;
@@ -78,7 +78,7 @@ private:
   const MatchedSkeletons& Match;
   Eigen::Matrix3d Global = Eigen::Matrix3d::Identity();
   std::vector<ChainFrames> Frames;
-  std::vector<Anchor> Anchors;
+  std::vector<ChainAlignment> Alignments;
 };
 }
 

@@ -34,7 +34,7 @@ public:
   {
     int Triangle = -1;
     Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< its centroid
-    std::vector<std::pair<int, double>> Shares; ///< of the pieces round it, sum 1
+    std::vector<std::pair<int, double>> Shares;         ///< of the pieces round it, sum 1
   };
   Answer Find(const Query& query) const;
 
