@@ -18,8 +18,9 @@ namespace marrow::bench
 struct PreparedMesh
 {
   int Id = 0;
-  vtkSmartPointer<vtkPolyData> Surface; ///< all arrays of the filters; SegmentId holds the pieces
-  vtkSmartPointer<vtkPolyData> Skeleton;
+  /// All arrays of the filters; SegmentId holds the pieces.
+  vtkSmartPointer<vtkPolyData> Surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkSmartPointer<vtkPolyData> Skeleton = vtkSmartPointer<vtkPolyData>::New();
 
   TriangleMesh Mesh;
   std::vector<double> Areas;
