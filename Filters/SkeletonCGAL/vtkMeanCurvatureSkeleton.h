@@ -41,9 +41,9 @@
  * points that no triangle uses.
  *
  * The number of loops of the skeleton is the genus of the mesh in general, but CGAL does not promise
- * it. The result is the same in every run: where CGAL (before 6.0) collapses edges in the order of
- * their addresses in memory, they are put in the order of their numbers. Progress and abort are
- * looked at between the steps of the contraction.
+ * it: handles of few triangles and short tunnels are lost. The result is the same in every run:
+ * where CGAL (before 6.0) collapses edges in the order of their addresses in memory, they are put in
+ * the order of their numbers. An abort is looked for between the steps of the contraction.
  *
  * Errors: those of vtkMSPField; a mesh with a border; a mesh of several components; measures that
  * are there but not finite; a mesh on which the contraction does not end in a curve. The skeleton is
