@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryTransfer.h"
+#include "ChainAlignment.h"
 #include "CylinderMap.h"
 #include "GhostBoundary.h"
 #include "LabelCleanUp.h"
@@ -230,30 +231,55 @@ TEST(CylinderMap, IsHeightAndAngleOnACylinder)
   }
 }
 
-TEST(GhostBoundary, BestPairKeepsItsPlaceExactly)
+TEST(GhostBoundary, BestPairIsALandmark)
 {
-  const SkeletonMap::Anchor anchor =
+  const auto landmark =
     MatchGhostBoundaries({ { 0.3, 0.5 }, { 0.7, 0.5 } }, { { 0.66, 0.45 }, { 0.1, 0.9 } });
-  ASSERT_TRUE(anchor.Valid);
-  EXPECT_EQ(anchor.Source, 0.7);
-  EXPECT_EQ(anchor.Target, 0.66);
+  ASSERT_TRUE(landmark);
+  EXPECT_EQ(landmark->Source, 0.7);
+  EXPECT_EQ(landmark->Target, 0.66);
   // Landmarks a third of the branch apart are none.
-  EXPECT_FALSE(MatchGhostBoundaries({ { 0.3, 0.5 } }, { { 0.6, 0.5 } }).Valid);
-  EXPECT_FALSE(MatchGhostBoundaries({}, { { 0.6, 0.5 } }).Valid);
+  EXPECT_FALSE(MatchGhostBoundaries({ { 0.3, 0.5 } }, { { 0.6, 0.5 } }));
+  EXPECT_FALSE(MatchGhostBoundaries({}, { { 0.6, 0.5 } }));
 }
 
-TEST(SkeletonMap, RatiosAreLinearOnBothSidesOfTheAnchor)
+TEST(ChainAlignment, IsLinearBetweenKnotsBothWays)
 {
-  const Tube tube = MakeTube({});
-  const MatchedSkeletons match = MatchTubes(tube, tube);
-  SkeletonMap map(tube.Analyzed, tube.Analyzed, match);
-  EXPECT_EQ(map.TargetRatio(0, 0.37), 0.37);
-  map.SetAnchor(0, { true, 0.4, 0.5 });
-  EXPECT_DOUBLE_EQ(map.TargetRatio(0, 0.4), 0.5);
-  EXPECT_DOUBLE_EQ(map.TargetRatio(0, 0.2), 0.25);
-  EXPECT_DOUBLE_EQ(map.TargetRatio(0, 0.7), 0.75);
-  EXPECT_DOUBLE_EQ(map.SourceRatio(0, map.TargetRatio(0, 0.9)), 0.9);
-  EXPECT_DOUBLE_EQ(map.TargetRatio(0, 1.0), 1.0);
+  const ChainAlignment equal;
+  EXPECT_DOUBLE_EQ(equal.TargetRatio(0.37), 0.37);
+  const ChainAlignment alignment({ { 0.0, 0.0 }, { 0.4, 0.5 }, { 1.0, 1.0 } });
+  EXPECT_DOUBLE_EQ(alignment.TargetRatio(0.4), 0.5);
+  EXPECT_DOUBLE_EQ(alignment.TargetRatio(0.2), 0.25);
+  EXPECT_DOUBLE_EQ(alignment.TargetRatio(0.7), 0.75);
+  EXPECT_DOUBLE_EQ(alignment.SourceRatio(alignment.TargetRatio(0.9)), 0.9);
+  EXPECT_DOUBLE_EQ(alignment.TargetRatio(1.0), 1.0);
+}
+
+TEST(ChainAlignment, FollowsAStepOfThickness)
+{
+  // Thick up to 0.5 of the source and up to 0.6 of the target.
+  Tube source = MakeTube({});
+  Tube target = MakeTube({});
+  const auto thicken = [](Tube& tube, double upTo)
+  {
+    const int n = tube.Analyzed.Skeleton.NumberOfNodes();
+    for (int node = 0; node < n; ++node)
+    {
+      tube.Analyzed.Skeleton.Graph[node].MSP *= node < upTo * (n - 1) ? 2.0 : 1.0;
+    }
+  };
+  thicken(source, 0.5);
+  thicken(target, 0.6);
+  const MatchedSkeletons match = MatchTubes(source, target);
+  const ChainPair& chain = match.Chains[0];
+  const ChainAlignment alignment =
+    AlignChains(source.Analyzed, chain.Source, target.Analyzed, chain.Target, {});
+  const bool forward = chain.Source.Front() == 0;
+  EXPECT_NEAR(alignment.TargetRatio(0.5), forward ? 0.6 : 0.4, 0.03);
+  // Alike chains stay as they are.
+  EXPECT_NEAR(AlignChains(source.Analyzed, chain.Source, source.Analyzed, chain.Source, {})
+                .TargetRatio(0.3),
+    0.3, 1e-9);
 }
 
 TEST(MatchedSkeletons, BranchesOfOneIdBecomeOneChain)

@@ -36,8 +36,9 @@ void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
   }
 }
 
-/// Pieces that hold a part of what is matched: a matched node whose φ lies for the most part in them.
-/// (A body is one even if most of its surface belongs to a branch of its own that has no partner.)
+/// Pieces that lie for the most part on matched branches, or hold a part of what is matched: a matched
+/// node whose φ lies for the most part in them. (A patch on a limb holds no node; a body is one even
+/// if most of its surface belongs to a branch of its own that has no partner.)
 std::vector<bool> TransferredPieces(
   const AnalyzedMesh& source, const SegmentPieces& pieces, const SkeletonMap& map, bool anyMatched)
 {
@@ -47,6 +48,7 @@ std::vector<bool> TransferredPieces(
   }
   const std::vector<bool> isMatched = map.MatchedSourceNodes();
   std::vector<std::map<int, double>> areaInPieces(isMatched.size());
+  std::vector<double> matched(pieces.NumberOfPieces(), 0.0);
   for (int t = 0; t < source.Mesh.NumberOfTriangles(); ++t)
   {
     const double third = source.Mesh.Area(t) / 3.0;
@@ -56,10 +58,15 @@ std::vector<bool> TransferredPieces(
       if (node >= 0 && isMatched[node])
       {
         areaInPieces[node][pieces.PieceOfTriangle[t]] += third;
+        matched[pieces.PieceOfTriangle[t]] += third;
       }
     }
   }
-  std::vector<bool> result(pieces.NumberOfPieces(), false);
+  std::vector<bool> result(pieces.NumberOfPieces());
+  for (int p = 0; p < pieces.NumberOfPieces(); ++p)
+  {
+    result[p] = matched[p] >= 0.5 * pieces.AreaOfPiece[p];
+  }
   for (const auto& shares : areaInPieces)
   {
     if (!shares.empty())
