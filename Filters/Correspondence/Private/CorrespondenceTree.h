@@ -37,6 +37,10 @@ public:
   const TreeStatistics& GetStatistics() const { return this->Statistics; }
 
 private:
+  /// A pair of branches that is less like than this is rather a loss than a gain.
+  static constexpr double WorthMatching = 0.5;
+  /// Junctions that are merged at most.
+  static constexpr int MaximumGroup = 4;
   /// A branch or node not used yet; what a matched chain passed over; else the index of its pair.
   static constexpr int Free = -1;
   static constexpr int Passed = -2;
@@ -91,7 +95,6 @@ private:
     TreeNode& node, const FeatureGroup& source, const FeatureGroup& target, bool isJunction) const;
   void AddBranches(TreeNode& node, const std::vector<int>& source, const std::vector<int>& target,
     int first) const;
-  void OrientLoop(const TreeNode& node, int nodes, int sourceDart, int& targetDart) const;
   void PairComponents();
   void AddLeaf(const TreeNode& node);
 

@@ -86,6 +86,7 @@ FeatureGraph::FeatureGraph(const Skeleton& skeleton, int pieces)
     });
   this->AddFeatures();
   this->FindComponents();
+  this->FindForest();
   this->Descriptors.resize(2 * this->Branches.size());
   for (int dart = 0; dart < 2 * this->NumberOfBranches(); ++dart)
   {
@@ -191,6 +192,27 @@ void FeatureGraph::FindComponents()
   for (Feature& feature : this->Features)
   {
     feature.Component = rank[feature.Component];
+  }
+}
+
+void FeatureGraph::FindForest()
+{
+  std::vector<int> shortestFirst(this->Branches.size());
+  std::iota(shortestFirst.begin(), shortestFirst.end(), 0);
+  std::stable_sort(shortestFirst.begin(), shortestFirst.end(),
+    [&](int a, int b) { return this->Length(a) < this->Length(b); });
+  std::vector<int> tree(this->Features.size());
+  std::iota(tree.begin(), tree.end(), 0);
+  this->Forest.assign(this->Branches.size(), false);
+  for (int branch : shortestFirst)
+  {
+    const int from = tree[this->Origin(2 * branch)];
+    const int to = tree[this->Head(2 * branch)];
+    if (from != to)
+    {
+      this->Forest[branch] = true;
+      std::replace(tree.begin(), tree.end(), from, to);
+    }
   }
 }
 

@@ -68,6 +68,8 @@ public:
   bool RunsAgainst(int dart) const { return this->Branches[dart / 2].Flipped != (dart % 2 == 1); }
   double Length(int branch) const { return this->Branches[branch].Path.Length() / this->Total; }
   double Length(const std::vector<int>& darts) const;
+  /// Whether the branch is in the minimum spanning forest: a loop is opened at its longest branch.
+  bool IsInForest(int branch) const { return this->Forest[branch]; }
 
   /// The darts that leave a group, ascending; both darts of a loop.
   std::vector<int> OpenDarts(const FeatureGroup& group) const;
@@ -95,6 +97,7 @@ private:
   void SmoothPositions();
   void AddFeatures();
   void FindComponents();
+  void FindForest();
   double Value(int node, Measure measure) const;
   /// The nodes of a path and their arc length, in mesh units.
   Branch Concatenate(const std::vector<int>& darts) const;
@@ -106,6 +109,7 @@ private:
   std::vector<Feature> Features;
   std::vector<int> FeatureOfDart;
   std::vector<double> ComponentLengths;
+  std::vector<bool> Forest;
   std::vector<std::vector<double>> Descriptors;
   double Total = 0.0;
   double Diagonal = 0.0;

@@ -17,6 +17,7 @@ constexpr double LengthWeight = 0.9;
 constexpr double LengthTolerance = 0.1;
 constexpr double ProfileWeight = 1.0;
 constexpr double ChordWeight = 0.15;
+constexpr double TwinWeight = 0.2;
 constexpr double AngleWeight = 0.2;
 constexpr double CentricityWeight = 0.2;
 constexpr double TaperWeight = 1.0;
@@ -86,7 +87,8 @@ GlobalCost::GlobalCost(const TerminalPaths& source, const TerminalPaths& target)
             LengthWeight * Soften(std::abs(s.Length - t.Length) / std::max(s.Length, t.Length)) +
             ProfileWeight * ProfileDistance(s.Profile, t.Profile) +
             ChordWeight * ProfileDistance(s.Chords, t.Chords) +
-            AngleWeight * std::abs(s.Angle - t.Angle);
+            AngleWeight * std::abs(s.Angle - t.Angle) +
+            TwinWeight * std::abs(s.Likeness - t.Likeness);
         }
       }
     }

@@ -66,13 +66,6 @@ void AddPaperCosts(std::vector<RatedLeaf>& leaves)
   }
 }
 
-/// A tree: one component whose branches are one fewer than its features.
-bool IsTree(const FeatureGraph& graph)
-{
-  return graph.NumberOfComponents() == 1 &&
-    graph.NumberOfBranches() == graph.NumberOfFeatures() - 1;
-}
-
 /// Whether two leaves match the same, in whatever order and direction.
 bool SameMatch(const FeatureCorrespondence& a, const FeatureCorrespondence& b)
 {
@@ -122,7 +115,7 @@ void RefineLeaves(
     rate(leaf);
   }
   SortByCost(leaves);
-  if (!IsTree(source) || !IsTree(target))
+  if (source.NumberOfComponents() > 1 || target.NumberOfComponents() > 1)
   {
     return;
   }

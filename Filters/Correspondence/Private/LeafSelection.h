@@ -22,7 +22,7 @@ struct RatedLeaf
 /// The leaves with their costs, the best first; equal ones stay in the order of the tree.
 ///
 /// If `global`, the cost is GlobalCost of the matched terminals and what the branches leave
-/// uncovered; and where both skeletons are trees, the best leaves are refined by Descend and
+/// uncovered; and where both skeletons have one component, the best leaves are refined by Descend and
 /// MatchBySplits, and the results are leaves of their own. Else the cost is the paper's.
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global);

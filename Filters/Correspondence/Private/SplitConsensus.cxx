@@ -2,7 +2,9 @@
 #include "SplitConsensus.h"
 
 #include "BranchAssignment.h"
+#include "BranchLikeness.h"
 #include "JunctionCost.h"
+#include "LoopDirection.h"
 
 #include <algorithm>
 #include <map>
@@ -173,6 +175,70 @@ void LeadAway(FeatureCorrespondence& match, const FeatureGraph& source, const Fe
     }
   }
 }
+/// Matches the branches outside the forests that join the same matched nodes, the most alike first.
+void CloseLoops(
+  FeatureCorrespondence& match, const FeatureGraph& source, const FeatureGraph& target)
+{
+  struct Loop
+  {
+    int Source; ///< darts
+    int Target;
+    int First;
+    int Last;
+    double Unlikeness;
+  };
+  const auto nodesOf = [&](const FeatureGraph& graph, FeatureGroup MatchedNodes::*side)
+  {
+    std::vector<int> result(graph.NumberOfFeatures(), -1);
+    for (std::size_t i = 0; i < match.Nodes.size(); ++i)
+    {
+      for (int feature : (match.Nodes[i].*side).Features)
+      {
+        result[feature] = static_cast<int>(i);
+      }
+    }
+    return result;
+  };
+  const std::vector<int> sourceNodes = nodesOf(source, &MatchedNodes::Source);
+  const std::vector<int> targetNodes = nodesOf(target, &MatchedNodes::Target);
+  std::vector<Loop> loops;
+  for (int b = 0; b < source.NumberOfBranches(); ++b)
+  {
+    const int first = sourceNodes[source.Origin(2 * b)];
+    const int last = sourceNodes[source.Head(2 * b)];
+    if (source.IsInForest(b) || first < 0 || last < 0)
+    {
+      continue;
+    }
+    for (int dart = 0; dart < 2 * target.NumberOfBranches(); ++dart)
+    {
+      // Of a loop at one pair of nodes the direction is found later.
+      if (!target.IsInForest(dart / 2) && targetNodes[target.Origin(dart)] == first &&
+        targetNodes[target.Head(dart)] == last && (first != last || dart % 2 == 0))
+      {
+        loops.push_back(
+          { 2 * b, dart, first, last, PathUnlikeness(source, { 2 * b }, target, { dart }) });
+      }
+    }
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+    [](const Loop& a, const Loop& b) { return a.Unlikeness < b.Unlikeness; });
+  std::set<int> sourceUsed;
+  std::set<int> targetUsed;
+  for (const Loop& loop : loops)
+  {
+    if (sourceUsed.count(loop.Source / 2) == 0 && targetUsed.count(loop.Target / 2) == 0)
+    {
+      sourceUsed.insert(loop.Source / 2);
+      targetUsed.insert(loop.Target / 2);
+      const int dart = loop.First == loop.Last
+        ? DirectLoop(source, target, match, loop.First, loop.Source, loop.Target)
+        : loop.Target;
+      match.Branches.push_back({ { loop.Source }, { dart }, loop.First, loop.Last });
+    }
+  }
+}
+
 /// C_branch of every matched pair of junctions.
 void AddBranchCosts(
   FeatureCorrespondence& match, const FeatureGraph& source, const FeatureGraph& target)
@@ -268,6 +334,7 @@ FeatureCorrespondence MatchBySplits(
     match.Branches.push_back(branches);
   }
   LeadAway(match, s, t);
+  CloseLoops(match, s, t);
   AddBranchCosts(match, s, t);
   return match;
 }

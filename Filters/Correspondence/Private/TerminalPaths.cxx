@@ -16,6 +16,8 @@ namespace
 constexpr int ProfilePieces = 12;
 /// The middle parts of a path whose straightness is compared: the tips move with the pose.
 constexpr double ChordEnds[] = { 0.2, 0.35 };
+/// Two terminals that differ by this are no twins.
+constexpr double TwinTolerance = 0.25;
 /// Where on a terminal's branch points are taken, from the tip on; the second one sees how a foot
 /// stands on its leg.
 constexpr double SampleFractions[] = { 0.0, 0.15, 0.5, 1.0 };
@@ -118,7 +120,7 @@ void TerminalPaths::FindPaths()
       for (int dart : graph.GetFeatures()[feature].Darts)
       {
         const double next = d + graph.Length(dart / 2);
-        if (next < distance[graph.Head(dart)])
+        if (graph.IsInForest(dart / 2) && next < distance[graph.Head(dart)])
         {
           distance[graph.Head(dart)] = next;
           arrival[graph.Head(dart)] = dart;
@@ -164,6 +166,39 @@ void TerminalPaths::FindPaths()
   {
     path.Length *= weightedLength > 0.0 ? weights / weightedLength : 1.0;
   }
+  this->FindTwins();
+}
+
+void TerminalPaths::FindTwins()
+{
+  const auto& features = this->Skeleton.GetFeatures();
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    for (int k = 0; k < this->Size(); ++k)
+    {
+      Path& path = this->Paths[i * this->Size() + k];
+      if (!path.Exists)
+      {
+        continue;
+      }
+      double lengths = 0.0;
+      double weights = 0.0;
+      for (int m = 0; m < this->Size(); ++m)
+      {
+        if (m != i && m != k && this->Between(i, m).Exists)
+        {
+          const double a = this->Between(i, m).Length;
+          const double b = this->Between(k, m).Length;
+          lengths += this->Weights[m] * std::abs(a - b) / std::max(a, b);
+          weights += this->Weights[m];
+        }
+      }
+      const double unlike = (weights > 0.0 ? lengths / weights : 0.0) +
+        ProfileDistance(this->Tapers[i], this->Tapers[k]) +
+        std::abs(features[this->Features[i]].AGD - features[this->Features[k]].AGD);
+      path.Likeness = std::exp(-(unlike / TwinTolerance) * (unlike / TwinTolerance));
+    }
+  }
 }
 
 void TerminalPaths::FindTapers(double scale)
@@ -202,6 +237,10 @@ TerminalPaths::Mask TerminalPaths::Beyond(int dart) const
 {
   const FeatureGraph& graph = this->Skeleton;
   Mask mask = 0;
+  if (!graph.IsInForest(dart / 2))
+  {
+    return mask;
+  }
   std::vector<bool> seen(graph.NumberOfFeatures(), false);
   std::vector<int> open{ graph.Head(dart) };
   seen[graph.Head(dart)] = true;
@@ -209,17 +248,13 @@ TerminalPaths::Mask TerminalPaths::Beyond(int dart) const
   {
     const int feature = open.back();
     open.pop_back();
-    if (feature == graph.Origin(dart))
-    {
-      return 0;
-    }
     if (this->TerminalOfFeature[feature] >= 0)
     {
       mask |= Mask(1) << this->TerminalOfFeature[feature];
     }
     for (int next : graph.GetFeatures()[feature].Darts)
     {
-      if (next / 2 != dart / 2 && !seen[graph.Head(next)])
+      if (next / 2 != dart / 2 && graph.IsInForest(next / 2) && !seen[graph.Head(next)])
       {
         seen[graph.Head(next)] = true;
         open.push_back(graph.Head(next));

@@ -9,8 +9,9 @@
 
 namespace marrow
 {
-/// The terminals of a skeleton and the shortest paths between them: what a comparison over the whole
-/// skeletons looks at, since it does not change with pose and hardly with spurs and split junctions.
+/// The terminals of a skeleton and the paths between them: what a comparison over the whole skeletons
+/// looks at, since it does not change with pose and hardly with spurs and split junctions. Of loops,
+/// only what is in the graph's forest is seen.
 class TerminalPaths
 {
 public:
@@ -26,7 +27,8 @@ public:
     double Length = 0.0;         ///< over the weighted mean length of all paths
     std::vector<double> Profile; ///< square root of MSP in equal pieces
     std::vector<double> Chords;  ///< straightness of the middle parts, in [0,1]
-    double Angle = 0.0;          ///< between the directions of the two terminal branches, over π
+    double Likeness = 0.0; ///< of the two terminals, in [0,1]: twins like the two hands are near 1
+    double Angle = 0.0;    ///< between the directions of the two terminal branches, over π
   };
   /// A branch whose removal splits the terminals in two sets of at least two each.
   struct Split
@@ -53,14 +55,14 @@ public:
   const std::vector<Eigen::Vector3d>& Points(int terminal) const { return this->Samples[terminal]; }
   const FeatureGraph& Graph() const { return this->Skeleton; }
 
-  /// The terminals that can be reached through a dart without passing its origin again, if the dart's
-  /// branch is a bridge; 0 else.
+  /// The terminals on the far side of a dart.
   Mask Beyond(int dart) const;
 
 private:
   void ChooseTerminals();
   void FindPaths();
   void FindTapers(double scale);
+  void FindTwins();
   void FindSplits();
 
   const FeatureGraph& Skeleton;
