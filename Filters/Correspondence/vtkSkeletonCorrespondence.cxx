@@ -17,6 +17,9 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -39,8 +42,8 @@ std::vector<Value> OverCells(vtkPolyData* data, const std::vector<Value>& branch
   return cells;
 }
 
-void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side,
-  const marrow::SkeletonMatching& matching)
+void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side, double confidence,
+  const marrow::TreeStatistics& tree)
 {
   using namespace marrow;
   SetIdArray(output->GetPointData(), names::CorrespondenceId, side.NodeId);
@@ -50,24 +53,23 @@ void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side,
   const unsigned char along = 0;
   SetArray(cells, "BranchCorrespondenceReversed", OverCells(output, side.BranchReversed, along));
 
-  const TreeStatistics& tree = matching.Statistics;
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceTreeNodes", tree.TreeNodes);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceTreeHeight", tree.Height);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceCorePairs", tree.CorePairs);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceMerges", tree.Merges);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceClusters", tree.Clusters);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceLeaves", tree.Leaves);
-  AddFieldValue<vtkDoubleArray>(output, "CorrespondenceConfidence", matching.Confidence);
+  AddFieldValue<vtkDoubleArray>(output, "CorrespondenceConfidence", confidence);
 }
 
 void WriteTable(const std::vector<marrow::SkeletonMatch>& leaves, vtkTable* table)
 {
   using Leaf = marrow::SkeletonMatch;
   table->Initialize();
-  for (auto [name, member] :
-    { std::pair{ "Cost", &Leaf::Cost }, std::pair{ "PaperCost", &Leaf::PaperCost },
-      std::pair{ "SourceCoverage", &Leaf::SourceCoverage },
-      std::pair{ "TargetCoverage", &Leaf::TargetCoverage } })
+  for (auto [name, member] : { std::pair{ "GlobalCost", &Leaf::GlobalCost },
+         std::pair{ "PaperCost", &Leaf::PaperCost }, std::pair{ "Confidence", &Leaf::Confidence },
+         std::pair{ "SourceCoverage", &Leaf::SourceCoverage },
+         std::pair{ "TargetCoverage", &Leaf::TargetCoverage } })
   {
     vtkNew<vtkDoubleArray> column;
     column->SetName(name);
@@ -77,6 +79,13 @@ void WriteTable(const std::vector<marrow::SkeletonMatch>& leaves, vtkTable* tabl
     }
     table->AddColumn(column);
   }
+  vtkNew<vtkUnsignedCharArray> refined;
+  refined->SetName("Refined");
+  for (const Leaf& leaf : leaves)
+  {
+    refined->InsertNextValue(leaf.Refined ? 1 : 0);
+  }
+  table->AddColumn(refined);
   for (auto [name, member] : { std::pair{ "JunctionPairs", &Leaf::JunctionPairs },
          std::pair{ "TerminalPairs", &Leaf::TerminalPairs },
          std::pair{ "BranchPairs", &Leaf::BranchPairs }, std::pair{ "Merges", &Leaf::Merges } })
@@ -178,7 +187,7 @@ int vtkSkeletonCorrespondence::RequestData(
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector, side);
     output->ShallowCopy(inputs[side]);
-    Write(output, side == 0 ? leaf.Source : leaf.Target, matching);
+    Write(output, side == 0 ? leaf.Source : leaf.Target, leaf.Confidence, matching.Statistics);
   }
   WriteTable(matching.Leaves, vtkTable::GetData(outputVector, 2));
   return 1;

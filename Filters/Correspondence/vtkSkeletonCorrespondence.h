@@ -41,9 +41,10 @@
  *   and the field arrays, one value each: CorrespondenceTreeNodes, CorrespondenceTreeHeight,
  *   CorrespondenceCorePairs, CorrespondenceMerges, CorrespondenceClusters, CorrespondenceLeaves
  *   (vtkIdType; the numbers of the paper's Table 3) and CorrespondenceConfidence (double in [0,1]).
- * - 2: vtkTable, one row per leaf, the best first; row i is what LeafIndex i puts out. Columns Cost
- *   (what the leaves are sorted by), PaperCost, JunctionPairs, TerminalPairs, BranchPairs, Merges,
- *   SourceCoverage, TargetCoverage (matched length over the skeleton's length).
+ * - 2: vtkTable, one row per leaf, the best first; row i is what LeafIndex i puts out. Columns
+ *   GlobalCost, PaperCost, Confidence, SourceCoverage, TargetCoverage (double; matched length over the
+ *   skeleton's length), Refined (unsigned char; 1 if the leaf is not of the tree but was found by
+ *   going on from one), JunctionPairs, TerminalPairs, BranchPairs, Merges (vtkIdType).
  *
  * Errors: a skeleton that is empty, lacks an array, has values that are not finite or lines that
  * run through junctions; LeafIndex beyond the last leaf.

@@ -361,8 +361,8 @@ TEST(SkeletonCorrespondence, DoesNotDependOnTheNumberingOfNodes)
           << name << " and " << other;
       }
     }
-    const double cost = reference.Table()->GetValueByName(0, "Cost").ToDouble();
-    EXPECT_NEAR(cost, matched.Table()->GetValueByName(0, "Cost").ToDouble(), 1e-9 * std::abs(cost));
+    const double cost = reference.Table()->GetValueByName(0, "GlobalCost").ToDouble();
+    EXPECT_NEAR(cost, matched.Table()->GetValueByName(0, "GlobalCost").ToDouble(), 1e-9 * std::abs(cost));
   }
 }
 
@@ -379,8 +379,8 @@ TEST(SkeletonCorrespondence, ReportsTheTreeAndItsLeaves)
   EXPECT_GE(matched.Field("CorrespondenceClusters"), 2.0);
   for (vtkIdType row = 1; row < matched.Table()->GetNumberOfRows(); ++row)
   {
-    EXPECT_LE(matched.Table()->GetValueByName(row - 1, "Cost").ToDouble(),
-      matched.Table()->GetValueByName(row, "Cost").ToDouble());
+    EXPECT_LE(matched.Table()->GetValueByName(row - 1, "GlobalCost").ToDouble(),
+      matched.Table()->GetValueByName(row, "GlobalCost").ToDouble());
   }
   EXPECT_EQ(2, matched.Table()->GetValueByName(0, "JunctionPairs").ToInt());
   EXPECT_EQ(6, matched.Table()->GetValueByName(0, "TerminalPairs").ToInt());

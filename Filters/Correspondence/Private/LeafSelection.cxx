@@ -6,7 +6,6 @@
 #include "SplitConsensus.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace marrow
@@ -92,83 +91,76 @@ bool SameMatch(const FeatureCorrespondence& a, const FeatureCorrespondence& b)
   return partsOf(a) == partsOf(b);
 }
 
-void SortByCost(std::vector<RatedLeaf>& leaves)
+void SortBy(std::vector<RatedLeaf>& leaves, double RatedLeaf::*cost)
 {
   std::stable_sort(leaves.begin(), leaves.end(),
-    [](const RatedLeaf& a, const RatedLeaf& b) { return a.Cost < b.Cost; });
+    [cost](const RatedLeaf& a, const RatedLeaf& b) { return a.*cost < b.*cost; });
 }
 
-/// Rates by the global cost, and adds what the best leaves descend to.
-void RefineLeaves(
-  const FeatureGraph& source, const FeatureGraph& target, std::vector<RatedLeaf>& leaves)
+double MeanCoverage(const RatedLeaf& leaf)
 {
-  const TerminalPaths sourcePaths(source);
-  const TerminalPaths targetPaths(target);
-  const GlobalCost cost(sourcePaths, targetPaths);
-  const auto rate = [&](RatedLeaf& leaf)
-  {
-    leaf.Cost = cost.Total(TerminalAssignment(sourcePaths, targetPaths, leaf.Match)) +
-      CoverageWeight * (1.0 - 0.5 * (leaf.SourceCoverage + leaf.TargetCoverage));
-  };
-  for (RatedLeaf& leaf : leaves)
-  {
-    rate(leaf);
-  }
-  SortByCost(leaves);
-  if (source.NumberOfComponents() > 1 || target.NumberOfComponents() > 1)
-  {
-    return;
-  }
+  return 0.5 * (leaf.SourceCoverage + leaf.TargetCoverage);
+}
+
+/// What the best leaves descend to, as far as no leaf says the same.
+std::vector<RatedLeaf> RefineLeaves(const TerminalPaths& source, const TerminalPaths& target,
+  const GlobalCost& cost, const std::vector<RatedLeaf>& leaves)
+{
   std::vector<GlobalCost::Assignment> starts{ cost.Guess() };
   for (std::size_t i = 0; i < std::min(leaves.size(), MaximumStarts); ++i)
   {
-    starts.push_back(TerminalAssignment(sourcePaths, targetPaths, leaves[i].Match));
+    starts.push_back(TerminalAssignment(source, target, leaves[i].Match));
   }
   std::vector<RatedLeaf> refined;
-  for (const GlobalCost::Assignment& end : Descend(cost, targetPaths, starts))
+  for (const GlobalCost::Assignment& end : Descend(cost, target, starts))
   {
-    RatedLeaf leaf = Rate(source, target, MatchBySplits(sourcePaths, targetPaths, end));
-    leaf.Refined = true;
-    rate(leaf);
-    if (!leaf.Match.Nodes.empty() &&
+    const FeatureCorrespondence match = MatchBySplits(source, target, end);
+    if (!match.Nodes.empty() &&
       std::none_of(leaves.begin(), leaves.end(),
-        [&](const RatedLeaf& other) { return SameMatch(other.Match, leaf.Match); }))
+        [&](const RatedLeaf& other) { return SameMatch(other.Match, match); }))
     {
-      refined.push_back(std::move(leaf));
+      refined.push_back(Rate(source.Graph(), target.Graph(), match));
+      refined.back().Refined = true;
     }
   }
-  leaves.insert(leaves.begin(), refined.begin(), refined.end());
-  SortByCost(leaves);
+  return refined;
 }
 }
 
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global)
 {
+  const TerminalPaths sourcePaths(source);
+  const TerminalPaths targetPaths(target);
+  const GlobalCost cost(sourcePaths, targetPaths);
+  const auto rateGlobally = [&](std::vector<RatedLeaf>& some)
+  {
+    for (RatedLeaf& leaf : some)
+    {
+      leaf.GlobalCost = cost.Total(TerminalAssignment(sourcePaths, targetPaths, leaf.Match)) +
+        CoverageWeight * (1.0 - MeanCoverage(leaf));
+    }
+  };
   std::vector<RatedLeaf> result;
   for (const FeatureCorrespondence& leaf : leaves)
   {
     result.push_back(Rate(source, target, leaf));
   }
-  if (global)
+  rateGlobally(result);
+  if (global && source.NumberOfComponents() == 1 && target.NumberOfComponents() == 1)
   {
-    RefineLeaves(source, target, result);
-    AddPaperCosts(result);
+    SortBy(result, &RatedLeaf::GlobalCost);
+    std::vector<RatedLeaf> refined = RefineLeaves(sourcePaths, targetPaths, cost, result);
+    rateGlobally(refined);
+    result.insert(result.begin(), refined.begin(), refined.end());
   }
-  else
-  {
-    AddPaperCosts(result);
-    for (RatedLeaf& leaf : result)
-    {
-      leaf.Cost = leaf.PaperCost;
-    }
-    SortByCost(result);
-  }
+  AddPaperCosts(result);
+  SortBy(result, global ? &RatedLeaf::GlobalCost : &RatedLeaf::PaperCost);
   return result;
 }
 
-double Confidence(const std::vector<RatedLeaf>& leaves)
+double Confidence(const RatedLeaf& leaf)
 {
-  return std::min(leaves.front().SourceCoverage, leaves.front().TargetCoverage);
+  return std::clamp((1.0 - leaf.GlobalCost) * MeanCoverage(leaf), 0.0, 1.0);
 }
 }

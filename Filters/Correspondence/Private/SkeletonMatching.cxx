@@ -2,7 +2,6 @@
 #include "SkeletonMatching.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace marrow
 {
@@ -80,13 +79,14 @@ bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
     }
     match.BranchPairs = static_cast<int>(leaf.Match.Branches.size());
     match.Merges = leaf.Match.Merges;
-    match.Cost = leaf.Cost;
     match.PaperCost = leaf.PaperCost;
+    match.GlobalCost = leaf.GlobalCost;
+    match.Refined = leaf.Refined;
+    match.Confidence = Confidence(leaf);
     match.SourceCoverage = leaf.SourceCoverage;
     match.TargetCoverage = leaf.TargetCoverage;
     result.Leaves.push_back(std::move(match));
   }
-  result.Confidence = Confidence(leaves);
   return Report(progress, 1.0);
 }
 }

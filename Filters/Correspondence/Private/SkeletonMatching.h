@@ -32,8 +32,10 @@ struct SkeletonMatch
   int TerminalPairs = 0;
   int BranchPairs = 0;
   int Merges = 0;
-  double Cost = 0.0; ///< what the leaves are sorted by
+  bool Refined = false; ///< not a leaf of the tree but found by going on from one
   double PaperCost = 0.0;
+  double GlobalCost = 0.0;
+  double Confidence = 0.0;
   double SourceCoverage = 0.0;
   double TargetCoverage = 0.0;
 };
@@ -42,8 +44,6 @@ struct SkeletonMatching
 {
   std::vector<SkeletonMatch> Leaves; ///< the best first; at least one, which may match nothing
   TreeStatistics Statistics;
-  /// How sure the leaves are that the first one is right, in [0,1].
-  double Confidence = 0.0;
 };
 
 /// Matches two skeletons with at least one branch each. False if `progress` asked to stop.
