@@ -362,7 +362,8 @@ TEST(SkeletonCorrespondence, DoesNotDependOnTheNumberingOfNodes)
       }
     }
     const double cost = reference.Table()->GetValueByName(0, "GlobalCost").ToDouble();
-    EXPECT_NEAR(cost, matched.Table()->GetValueByName(0, "GlobalCost").ToDouble(), 1e-9 * std::abs(cost));
+    EXPECT_NEAR(
+      cost, matched.Table()->GetValueByName(0, "GlobalCost").ToDouble(), 1e-9 * std::abs(cost));
   }
 }
 
