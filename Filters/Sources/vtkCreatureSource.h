@@ -18,13 +18,13 @@
  *
  * | shape | segments | terminals of the skeleton |
  * | --- | --- | --- |
- * | biped | 0 torso, 1 neck, 2 head, 3 and 4 right and left arm, 5 and 6 right and left leg | head,
- * hands, feet: 5 | | quadruped | 0 torso, 1 neck, 2 head, 3 and 4 right and left front leg, 5 and 6
- * right and left hind leg, 7 tail | head, feet, tail: 6 | | octopus | 0 mantle, 1 to 8 tentacles |
- * mantle, tentacles: 9 | | chair | 0 seat, 1 backrest, 2 and 3 right and left armrest, 4 to 7 legs
- * (front right, front left, back right, back left) | legs: 4, and 3 loops | | snake | 0 body, 1
- * head, 2 tail | head, tail: 2 | | torus | 0 and 1, its halves | none, 1 loop | | capsule | 0, 1
- * and 2, its thirds along x | 2 |
+ * | biped | 0 torso, 1 neck, 2 head, 3, 4 right and left arm, 5, 6 right and left leg | head, hands, feet: 5 |
+ * | quadruped | 0 torso, 1 neck, 2 head, 3, 4 right and left front leg, 5, 6 hind leg, 7 tail | head, feet, tail: 6 |
+ * | octopus | 0 mantle, 1 to 8 tentacles | mantle, tentacles: 9 |
+ * | chair | 0 seat, 1 backrest, 2, 3 right and left armrest, 4 to 7 legs (front right, front left, back right, back left) | legs: 4, and 3 loops |
+ * | snake | 0 body, 1 head, 2 tail | head, tail: 2 |
+ * | torus | 0 and 1, its halves | none, 1 loop |
+ * | capsule | 0, 1 and 2, its thirds along x | 2 |
  *
  * Output port 1, the skeleton after the data contract: points are nodes on the centre lines, one
  * polyline per branch; point arrays NodeType, Radius (mean distance to the vertices that belong to
