@@ -142,12 +142,7 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
 
   const marrow::MatchedSkeletons match =
     marrow::JoinChains(sourceMesh.Skeleton, targetMesh.Skeleton, ids);
-  if (match.IsEmpty())
-  {
-    vtkWarningMacro("No branch of the skeletons is matched: the meshes are aligned as wholes, and "
-                    "the segments are only as good as that.");
-    confidence = std::min(confidence, 0.1);
-  }
+  confidence = match.IsEmpty() ? std::min(confidence, 0.2) : confidence;
   marrow::TransferParameters parameters;
   parameters.Theta = this->Theta;
   parameters.Kernel = this->Kernel;
@@ -159,6 +154,14 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   if (result.IsAborted)
   {
     return 1;
+  }
+  if (result.IsWholeAlignment)
+  {
+    vtkWarningMacro(<< (match.IsEmpty() ? "No branch of the skeletons is matched"
+                                        : "The matched skeletons bring the surfaces together no "
+                                          "better than their principal axes")
+                    << ": the meshes are aligned as wholes, and the segments are only as good as "
+                       "that.");
   }
   if (result.NumberOfMissingPieces > 0)
   {

@@ -15,6 +15,9 @@ namespace marrow
 {
 namespace
 {
+/// How often positions are corrected by what was found there.
+constexpr int NumberOfCorrections = 3;
+
 /// The mean over the surface of the radius of the vertices' nodes.
 double MeanRadius(const AnalyzedMesh& side)
 {
@@ -46,6 +49,81 @@ Eigen::MatrixXd SmoothTransforms(const AnalyzedMesh& target,
   }
   return MeshSmoother(target.Mesh, width).Smooth(rows);
 }
+
+std::vector<SourceSearch::Query> QueriesAsWhole(
+  const TriangleMesh& mesh, const Eigen::Matrix<double, 3, 4>& whole, double radius)
+{
+  const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
+  std::vector<SourceSearch::Query> queries(mesh.NumberOfVertices());
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    queries[v].Position = whole.leftCols<3>() * mesh.Points[v] + whole.col(3);
+    queries[v].Normal = (whole.leftCols<3>() * normals[v]).normalized();
+    queries[v].Radius = radius;
+  }
+  return queries;
+}
+
+std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
+  const AnalyzedMesh& target, const std::vector<SkeletonMap::Place>& places,
+  const Eigen::Matrix<double, 3, 4>& whole, double width, std::vector<double>& certainty)
+{
+  const TriangleMesh& mesh = target.Mesh;
+  const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
+  const Eigen::MatrixXd transforms = SmoothTransforms(target, places, whole, width);
+  std::vector<SourceSearch::Query> queries(mesh.NumberOfVertices());
+  certainty.assign(mesh.NumberOfVertices(), 1.0);
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    Eigen::Matrix<double, 3, 4> transform;
+    for (int k = 0; k < 12; ++k)
+    {
+      transform.data()[k] = transforms(v, k);
+    }
+    const int node = target.NodeOfVertex[v];
+    const bool known = node >= 0 && places[node].Known;
+    SourceSearch::Query& query = queries[v];
+    query.Position = transform.leftCols<3>() * mesh.Points[v] + transform.col(3);
+    query.Normal = (transform.leftCols<3>() * normals[v]).normalized();
+    query.Node = known ? places[node].SourceNode : -1;
+    query.Radius = known ? places[node].Radius : 0.05 * source.Diagonal();
+    certainty[v] = known && places[node].Matched ? 1.0 : 0.1;
+  }
+  return queries;
+}
+
+void FindAll(const SourceSearch& search, const std::vector<SourceSearch::Query>& queries,
+  std::vector<SourceSearch::Answer>& answers)
+{
+  answers.resize(queries.size());
+  ParallelFor(0, static_cast<int>(queries.size()),
+    [&](int first, int last)
+    {
+      for (int v = first; v < last; ++v)
+      {
+        answers[v] = search.Find(queries[v]);
+      }
+    });
+}
+
+/// How badly a map brings the surfaces together: the mean over the target of the squared distance, in
+/// twentieths of the source's diagonal, and of the deviation of normals, [0,1].
+double Misfit(const AnalyzedMesh& source, const std::vector<double>& areas,
+  const std::vector<SourceSearch::Query>& queries, const std::vector<SourceSearch::Answer>& answers)
+{
+  const double scale = std::max(0.05 * source.Diagonal(), 1e-300);
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t v = 0; v < queries.size(); ++v)
+  {
+    const double squared = (answers[v].Position - queries[v].Position).squaredNorm();
+    sum += areas[v] *
+      std::min(
+        1.0, squared / (scale * scale) + 0.5 * (1.0 - answers[v].Normal.dot(queries[v].Normal)));
+    total += areas[v];
+  }
+  return total > 0.0 ? sum / total : 1.0;
+}
 }
 
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
@@ -60,66 +138,55 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   result.Certainty.assign(numberOfVertices, 1.0);
 
   const double meanRadius = MeanRadius(target);
-  const std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
-  const Eigen::Matrix<double, 3, 4> whole =
-    anyMatched ? Eigen::Matrix<double, 3, 4>::Zero() : AlignWhole(source.Mesh, target.Mesh);
-  const Eigen::MatrixXd transforms =
-    SmoothTransforms(target, places, whole, anyMatched ? 0.5 * meanRadius : 0.0);
   const SourceSearch search(source, pieces, isTransferred);
+  const std::vector<double> areas = mesh.VertexAreas();
+  std::vector<SourceSearch::Answer> answers;
+  const Eigen::Matrix<double, 3, 4> whole = AlignWhole(source.Mesh, target.Mesh);
+  std::vector<SourceSearch::Query> queries = QueriesAsWhole(mesh, whole, 0.05 * source.Diagonal());
+  FindAll(search, queries, answers);
+  const double wholeMisfit = Misfit(source, areas, queries, answers);
   if (!Report(progress, 0.2))
   {
     return result;
   }
-
-  const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
-  std::vector<SourceSearch::Query> queries(numberOfVertices);
-  for (int v = 0; v < numberOfVertices; ++v)
+  if (anyMatched)
   {
-    Eigen::Matrix<double, 3, 4> transform;
-    for (int k = 0; k < 12; ++k)
+    std::vector<double> certainty;
+    const std::vector<SourceSearch::Query> guided = QueriesBySkeleton(
+      source, target, map.PlacesOfTargetNodes(), whole, 0.5 * meanRadius, certainty);
+    std::vector<SourceSearch::Answer> found;
+    FindAll(search, guided, found);
+    // A correspondence that is wrong brings the surfaces together no better than none.
+    constexpr double goodEnough = 0.2;
+    constexpr double clearlyBetter = 0.85;
+    if (Misfit(source, areas, guided, found) < std::max(goodEnough, clearlyBetter * wholeMisfit))
     {
-      transform.data()[k] = transforms(v, k);
+      queries = guided;
+      answers = std::move(found);
+      result.Certainty = std::move(certainty);
+      result.IsWholeAlignment = false;
     }
-    const int node = target.NodeOfVertex[v];
-    const bool known = node >= 0 && places[node].Known;
-    SourceSearch::Query& query = queries[v];
-    query.Position = transform.leftCols<3>() * mesh.Points[v] + transform.col(3);
-    const Eigen::Vector3d normal = transform.leftCols<3>() * normals[v];
-    query.Normal = normal.norm() > 0.0 ? Eigen::Vector3d(normal.normalized()) : normal;
-    query.Node = known ? places[node].SourceNode : -1;
-    query.Radius = known ? places[node].Radius : 0.05 * source.Diagonal();
-    result.Certainty[v] = known && places[node].Matched ? 1.0 : 0.1;
   }
-
-  std::vector<SourceSearch::Answer> answers(numberOfVertices);
-  const auto searchAll = [&]()
-  {
-    ParallelFor(0, numberOfVertices,
-      [&](int first, int last)
-      {
-        for (int v = first; v < last; ++v)
-        {
-          answers[v] = search.Find(queries[v]);
-        }
-      });
-  };
-  searchAll();
   if (!Report(progress, 0.5))
   {
     return result;
   }
-  Eigen::MatrixXd displacements(numberOfVertices, 3);
-  for (int v = 0; v < numberOfVertices; ++v)
+  const MeshSmoother smoother(mesh, 0.5 * meanRadius);
+  for (int round = 0; round < NumberOfCorrections; ++round)
   {
-    displacements.row(v) =
-      result.Certainty[v] * (answers[v].Position - queries[v].Position).transpose();
+    Eigen::MatrixXd displacements(numberOfVertices, 3);
+    for (int v = 0; v < numberOfVertices; ++v)
+    {
+      displacements.row(v) =
+        result.Certainty[v] * (answers[v].Position - queries[v].Position).transpose();
+    }
+    displacements = smoother.Smooth(displacements);
+    for (int v = 0; v < numberOfVertices; ++v)
+    {
+      queries[v].Position += displacements.row(v).transpose();
+    }
+    FindAll(search, queries, answers);
   }
-  displacements = MeshSmoother(mesh, meanRadius).Smooth(displacements);
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    queries[v].Position += displacements.row(v).transpose();
-  }
-  searchAll();
   if (!Report(progress, 0.8))
   {
     return result;

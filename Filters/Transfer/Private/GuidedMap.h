@@ -22,18 +22,21 @@ struct GuidedMap
   std::vector<double> Certainty;            ///< per target vertex: 1 on matched branches, else less
   /// Target vertices x source pieces: how likely the vertex belongs to the piece. Rows sum to 1.
   Eigen::MatrixXd Shares;
-  double Width = 0.0; ///< over which shares change at a boundary, in the target's units
+  bool IsWholeAlignment = true; ///< the skeletons were of no use
+  double Width = 0.0;           ///< over which shares change at a boundary, in the target's units
 };
 
 /// Each target vertex is carried by the transformation of its node (SkeletonMap::Place), smoothed
 /// over the surface so that joints blend; there the nearest triangles of the source with a like
 /// normal and a near place on the skeleton are looked up. Displacements to what was found, smoothed,
-/// then correct the positions and the search is repeated once: proportions that the skeleton does
-/// not show (the depth of a chest) are taken up by that. The shares of the pieces are at last
+/// then correct the positions and the search is repeated, a few times: proportions that the skeleton
+/// does not show (the depth of a chest) are taken up by that. The shares of the pieces are at last
 /// smoothed over a fraction of the local radius, as the map is no more exact than that.
 ///
 /// Pieces with `isTransferred` false are skipped: their place goes to their neighbours.
-/// Without any matched chain the target is aligned as a whole, by principal axes.
+/// The target is also aligned as a whole (AlignWhole). That is used instead if no chain is matched,
+/// or if the skeletons bring the surfaces together no better: then they are of no use, as for a bust
+/// or a machine part.
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const SkeletonMap& map, bool anyMatched, const SegmentPieces& pieces,
   const std::vector<bool>& isTransferred, const Progress& progress);

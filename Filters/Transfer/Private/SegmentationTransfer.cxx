@@ -169,6 +169,8 @@ void RestoreLostPieces(const AnalyzedMesh& target, const GuidedMap& map,
 void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const SegmentPieces& pieces,
   double correspondenceConfidence, TransferResult& result)
 {
+  // An alignment as wholes knows nothing of parts.
+  const double trust = correspondenceConfidence * (map.IsWholeAlignment ? 0.5 : 1.0);
   result.Confidence.resize(result.Labels.size());
   for (std::size_t t = 0; t < result.Labels.size(); ++t)
   {
@@ -185,8 +187,8 @@ void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const Segme
     {
       certainty += map.Certainty[corner] / 3.0;
     }
-    result.Confidence[t] = std::clamp(
-      correspondenceConfidence * (0.5 + 0.5 * certainty) * std::clamp(share, 0.0, 1.0), 0.0, 1.0);
+    result.Confidence[t] =
+      std::clamp(trust * (0.5 + 0.5 * certainty) * std::clamp(share, 0.0, 1.0), 0.0, 1.0);
   }
 }
 
@@ -232,6 +234,8 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     return result;
   }
+
+  result.IsWholeAlignment = guided.IsWholeAlignment;
 
   std::vector<LoopCut> cuts;
   BoundaryTransfer transfer(

@@ -40,6 +40,7 @@ struct TransferResult
   std::vector<BoundaryPair> Boundaries;
   std::vector<int> MissingLabels; ///< labels of the source that the target has not got, ascending
   int NumberOfMissingPieces = 0;  ///< pieces of the source without a place on the target
+  bool IsWholeAlignment = false; ///< the skeletons were of no use, the meshes are aligned as wholes
   bool IsAborted = false;
 };
 

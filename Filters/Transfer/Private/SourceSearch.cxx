@@ -116,6 +116,7 @@ SourceSearch::Answer SourceSearch::Find(const Query& query) const
   std::sort(costs.begin(), costs.end());
   answer.Triangle = costs.front().second;
   answer.Position = this->Centroids[answer.Triangle];
+  answer.Normal = this->Normals[answer.Triangle];
   const double width = std::max(0.1 * query.Radius, 1e-300);
   double total = 0.0;
   for (const auto& [cost, t] : costs)

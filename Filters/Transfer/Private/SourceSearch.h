@@ -34,7 +34,8 @@ public:
   {
     int Triangle = -1;
     Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< its centroid
-    std::vector<std::pair<int, double>> Shares;         ///< of the pieces round it, sum 1
+    Eigen::Vector3d Normal = Eigen::Vector3d::Zero();
+    std::vector<std::pair<int, double>> Shares; ///< of the pieces round it, sum 1
   };
   Answer Find(const Query& query) const;
 

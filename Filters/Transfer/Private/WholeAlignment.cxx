@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace marrow
@@ -58,6 +60,54 @@ std::vector<Eigen::Vector3d> SomePoints(const TriangleMesh& mesh, int count)
   }
   return points;
 }
+
+/// The nearest of `candidates` to every moved point, and the sum of squared distances.
+double FindNearest(const std::vector<Eigen::Vector3d>& points,
+  const Eigen::Matrix<double, 3, 4>& transform, const std::vector<Eigen::Vector3d>& candidates,
+  std::vector<int>& nearest)
+{
+  double sum = 0.0;
+  nearest.assign(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Eigen::Vector3d moved = transform.leftCols<3>() * points[i] + transform.col(3);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+    {
+      const double distance = (candidates[c] - moved).squaredNorm();
+      if (distance < least)
+      {
+        least = distance;
+        nearest[i] = static_cast<int>(c);
+      }
+    }
+    sum += least;
+  }
+  return sum;
+}
+
+/// All ways to lay one right-handed frame of axes on another.
+std::vector<Eigen::Matrix3d> FrameRotations()
+{
+  std::vector<Eigen::Matrix3d> rotations;
+  std::array<int, 3> order = { 0, 1, 2 };
+  do
+  {
+    for (int signs = 0; signs < 8; ++signs)
+    {
+      Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
+      for (int k = 0; k < 3; ++k)
+      {
+        rotation(k, order[k]) = (signs >> k) & 1 ? -1.0 : 1.0;
+      }
+      if (rotation.determinant() > 0.0)
+      {
+        rotations.push_back(rotation);
+      }
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return rotations;
+}
 }
 
 Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const TriangleMesh& target)
@@ -65,32 +115,48 @@ Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const Triangl
   const Axes to = PrincipalAxes(source);
   const Axes from = PrincipalAxes(target);
   const double scale = from.Size > 0.0 ? to.Size / from.Size : 1.0;
-  const std::vector<Eigen::Vector3d> targets = SomePoints(target, 400);
-  const std::vector<Eigen::Vector3d> sources = SomePoints(source, 1600);
-  Eigen::Matrix<double, 3, 4> best = Eigen::Matrix<double, 3, 4>::Zero();
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& signs : { Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, -1, -1),
-         Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(-1, -1, 1) })
+  const std::vector<Eigen::Vector3d> targets = SomePoints(target, 300);
+  const std::vector<Eigen::Vector3d> sources = SomePoints(source, 1000);
+  std::vector<std::pair<double, Eigen::Matrix<double, 3, 4>>> starts;
+  std::vector<int> nearest;
+  for (const Eigen::Matrix3d& rotation : FrameRotations())
   {
     Eigen::Matrix<double, 3, 4> transform;
-    transform.leftCols<3>() =
-      scale * to.Directions * signs.asDiagonal() * from.Directions.transpose();
+    transform.leftCols<3>() = scale * to.Directions * rotation * from.Directions.transpose();
     transform.col(3) = to.Center - transform.leftCols<3>() * from.Center;
-    double sum = 0.0;
-    for (const Eigen::Vector3d& point : targets)
+    starts.emplace_back(FindNearest(targets, transform, sources, nearest), transform);
+  }
+  std::stable_sort(
+    starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+
+  // Closest points improve the best few.
+  constexpr std::size_t numberOfStarts = 4;
+  constexpr int numberOfRounds = 10;
+  Eigen::Matrix<double, 3, 4> best = starts.front().second;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < numberOfStarts; ++s)
+  {
+    Eigen::Matrix<double, 3, 4> transform = starts[s].second;
+    for (int round = 0; round <= numberOfRounds; ++round)
     {
-      const Eigen::Vector3d moved = transform.leftCols<3>() * point + transform.col(3);
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const Eigen::Vector3d& candidate : sources)
+      const double sum = FindNearest(targets, transform, sources, nearest);
+      if (sum < least)
       {
-        nearest = std::min(nearest, (candidate - moved).squaredNorm());
+        least = sum;
+        best = transform;
       }
-      sum += nearest;
-    }
-    if (sum < least)
-    {
-      least = sum;
-      best = transform;
+      Eigen::Matrix3Xd moving(3, targets.size());
+      Eigen::Matrix3Xd fixed(3, targets.size());
+      for (std::size_t i = 0; i < targets.size(); ++i)
+      {
+        moving.col(static_cast<Eigen::Index>(i)) =
+          transform.leftCols<3>() * targets[i] + transform.col(3);
+        fixed.col(static_cast<Eigen::Index>(i)) = sources[nearest[i]];
+      }
+      // The size stays: closest points alone would shrink the one into the other.
+      const Eigen::Matrix4d step = Eigen::umeyama(moving, fixed, false);
+      transform = step.topRows<3>() *
+        (Eigen::Matrix4d() << transform, Eigen::RowVector4d(0, 0, 0, 1)).finished();
     }
   }
   return best;

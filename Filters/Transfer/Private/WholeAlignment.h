@@ -8,9 +8,9 @@
 
 namespace marrow
 {
-/// The similarity that carries the target onto the source by centroid, size and principal axes; of
-/// the four ways to lay the axes the one that brings the surfaces closest. What is left to do for
-/// shapes whose skeletons have nothing in common.
+/// The similarity that carries the target onto the source: by centroid, size and principal axes, laid
+/// in the way of all 24 that brings the surfaces closest, then by closest points (ICP). What is left
+/// to do for shapes whose skeletons have nothing in common.
 Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const TriangleMesh& target);
 }
 
