@@ -14,13 +14,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <random>
+#include <set>
 
 using namespace marrow::test;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 struct Matched
 {
   Matched(const SkeletonShape& source, const SkeletonShape& target, unsigned seed = 0, int leaf = 0,
@@ -421,6 +421,98 @@ TEST(SkeletonCorrespondence, KeepsTheInputsArrays)
   EXPECT_TRUE(output->GetFieldData()->HasArray("MeshDiagonal"));
   EXPECT_FALSE(source->GetPointData()->HasArray("CorrespondenceId"));
   EXPECT_FALSE(source->GetFieldData()->HasArray("CorrespondenceLeaves"));
+}
+
+TEST(SkeletonCorrespondence, IsConsistentOnAnything)
+{
+  // Random trees with some loops, in one or two components.
+  const auto randomShape = [](unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    SkeletonShape shape;
+    const int points = 2 + static_cast<int>(uniform(random) * 14);
+    const auto name = [](int i) { return "p" + std::to_string(i); };
+    for (int i = 0; i < points; ++i)
+    {
+      shape.Point(
+        name(i), uniform(random), uniform(random), uniform(random), 0.02 + 0.1 * uniform(random));
+      if (i > 0 && (i != points / 2 || seed % 3 != 0 || i + 1 >= points))
+      {
+        shape.Line({ name(i), name(static_cast<int>(uniform(random) * i)) });
+      }
+    }
+    if (points / 2 + 1 < points && seed % 3 == 0)
+    {
+      shape.Line({ name(points / 2), name(points / 2 + 1) });
+    }
+    for (int loop = 0; loop < static_cast<int>(seed % 4) && points > 3; ++loop)
+    {
+      shape.Line({ name(0), name(points - 1 - loop % 2) });
+    }
+    return shape;
+  };
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    const Matched matched(randomShape(seed), randomShape(1000 + seed * 7), 0, 0, seed % 5 != 0);
+    ASSERT_NE(nullptr, matched.Table()) << seed;
+    ASSERT_GE(matched.Table()->GetNumberOfRows(), 1) << seed;
+    std::set<int> ids[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      vtkPolyData* data = matched.Output(side);
+      vtkDataArray* nodeIds = data->GetPointData()->GetArray("CorrespondenceId");
+      for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+      {
+        ids[side].insert(static_cast<int>(nodeIds->GetTuple1(p)));
+      }
+    }
+    ids[0].insert(-1);
+    ids[1].insert(-1);
+    EXPECT_EQ(ids[0], ids[1]) << seed;
+    const int pairs = matched.Table()->GetValueByName(0, "BranchPairs").ToInt();
+    for (int id = 0; id < pairs; ++id)
+    {
+      for (const bool last : { false, true })
+      {
+        int ends[2];
+        for (int side = 0; side < 2; ++side)
+        {
+          const vtkIdType end = ChainEnd(matched, side, id, last);
+          ASSERT_GE(end, 0) << seed;
+          ends[side] = static_cast<int>(
+            matched.Output(side)->GetPointData()->GetArray("CorrespondenceId")->GetTuple1(end));
+        }
+        EXPECT_GE(ends[0], 0) << seed;
+        EXPECT_EQ(ends[0], ends[1]) << seed;
+      }
+    }
+    const double confidence = matched.Field("CorrespondenceConfidence");
+    EXPECT_GE(confidence, 0.0);
+    EXPECT_LE(confidence, 1.0);
+  }
+}
+
+TEST(SkeletonCorrespondence, KnowsAStrangerByItsConfidence)
+{
+  SkeletonShape sister = MakeQuadruped();
+  sister.Move("head", 0.1, -0.2, 0.1);
+  sister.Move("tail", 0.0, 0.3, 0.0);
+  const Matched same(MakeQuadruped(), sister);
+  const Matched other(MakeQuadruped(), MakeStar(8));
+  EXPECT_GT(same.Field("CorrespondenceConfidence"), other.Field("CorrespondenceConfidence") + 0.2);
+}
+
+TEST(SkeletonCorrespondence, PaperSelectionMatchesTheSame)
+{
+  const Matched matched(MakeQuadruped(), MakeQuadruped(), 0, 0, false);
+  matched.ExpectSame({ "chest", "hip", "head", "tail" });
+  for (vtkIdType row = 1; row < matched.Table()->GetNumberOfRows(); ++row)
+  {
+    EXPECT_LE(matched.Table()->GetValueByName(row - 1, "PaperCost").ToDouble(),
+      matched.Table()->GetValueByName(row, "PaperCost").ToDouble());
+    EXPECT_EQ(0, matched.Table()->GetValueByName(row, "Refined").ToInt());
+  }
 }
 
 TEST(SkeletonCorrespondence, SaysWhatIsWrong)

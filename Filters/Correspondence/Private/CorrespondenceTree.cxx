@@ -99,24 +99,28 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::Expand(TreeNode& n
 
 void CorrespondenceTree::AddLeaf(const TreeNode& node)
 {
-  if (node.Match.Branches.empty() && node.Match.Nodes.empty())
+  FeatureCorrespondence leaf = node.Match;
+  // Branches whose far ends are different parts after all are not the same part themselves.
+  leaf.Branches.erase(std::remove_if(leaf.Branches.begin(), leaf.Branches.end(),
+                        [](const MatchedBranches& branches) { return branches.Last < 0; }),
+    leaf.Branches.end());
+  if (leaf.Nodes.empty())
   {
     return;
   }
   const auto same = [&](const FeatureCorrespondence& other)
   {
-    const auto& mine = node.Match;
-    return std::equal(mine.Nodes.begin(), mine.Nodes.end(), other.Nodes.begin(), other.Nodes.end(),
+    return std::equal(leaf.Nodes.begin(), leaf.Nodes.end(), other.Nodes.begin(), other.Nodes.end(),
              [](const MatchedNodes& a, const MatchedNodes& b)
              { return a.Source == b.Source && a.Target == b.Target; }) &&
-      std::equal(mine.Branches.begin(), mine.Branches.end(), other.Branches.begin(),
+      std::equal(leaf.Branches.begin(), leaf.Branches.end(), other.Branches.begin(),
         other.Branches.end(),
         [](const MatchedBranches& a, const MatchedBranches& b)
         { return a.Source == b.Source && a.Target == b.Target; });
   };
   if (std::none_of(this->Leaves.begin(), this->Leaves.end(), same))
   {
-    this->Leaves.push_back(node.Match);
+    this->Leaves.push_back(std::move(leaf));
   }
 }
 

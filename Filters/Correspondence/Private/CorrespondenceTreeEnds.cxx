@@ -19,7 +19,7 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchEnds(
   const int targetEnd = parent.Target.Features[this->TargetGraph.Head(open.Target.back())];
   if (sourceEnd != Free || targetEnd != Free)
   {
-    // A loop closes, or the two do not end at the same place: they keep their beginning only.
+    // A loop closes, or the two do not end at the same place.
     TreeNode child = parent;
     child.Match.Branches[branches].Last = sourceEnd == targetEnd && sourceEnd >= 0 ? sourceEnd : -1;
     if (child.Match.Branches[branches].Last < 0)

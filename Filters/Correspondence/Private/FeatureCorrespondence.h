@@ -23,7 +23,7 @@ struct MatchedBranches
   std::vector<int> Source; ///< darts of the source's FeatureGraph, in order
   std::vector<int> Target;
   int First = -1; ///< index of the matched nodes where both begin
-  int Last = -1;  ///< where both end; -1 if their ends have no partner
+  int Last = -1;  ///< where both end; -1 while the tree has not come there
 };
 
 /// One leaf of the correspondence tree.

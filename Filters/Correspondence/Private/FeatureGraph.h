@@ -99,6 +99,7 @@ private:
   void FindComponents();
   void FindForest();
   double Value(int node, Measure measure) const;
+  static Branch Reversed(const Branch& branch);
   /// The nodes of a path and their arc length, in mesh units.
   Branch Concatenate(const std::vector<int>& darts) const;
 
