@@ -16,7 +16,7 @@ namespace marrow
 namespace
 {
 /// How often positions are corrected by what was found there.
-constexpr int NumberOfCorrections = 3;
+constexpr int NumberOfCorrections = 6;
 
 /// The mean over the surface of the radius of the vertices' nodes.
 double MeanRadius(const AnalyzedMesh& side)
