@@ -12,18 +12,22 @@ namespace marrow
 {
 namespace
 {
-// Weights of the parts of the cost.
+// Weights of the parts of the cost, tuned on labelled meshes of animals, humans, bears, hands, birds
+// and planes; none of them is critical, half or double changes little.
 constexpr double LengthWeight = 0.9;
-constexpr double LengthTolerance = 0.1;
+constexpr double LengthTolerance = 0.05;
 constexpr double ProfileWeight = 1.0;
-constexpr double ChordWeight = 0.15;
+constexpr double ChordWeight = 0.35;
+constexpr double AngleWeight = 0.1;
 constexpr double TwinWeight = 0.2;
-constexpr double AngleWeight = 0.2;
-constexpr double CentricityWeight = 0.2;
-constexpr double TaperWeight = 1.0;
-constexpr double UnmatchedCost = 0.6;
+constexpr double CentricityWeight = 0.05;
+constexpr double TaperWeight = 0.4;
+/// A pair costs half as much as it is unlike from here on: shapes differ, and one long tail must not
+/// outweigh all that fits.
+constexpr double Saturation = 0.6;
+constexpr double UnmatchedCost = 0.45;
 constexpr double SplitWeight = 0.6;
-constexpr double PoseWeight = 0.15;
+constexpr double PoseWeight = 0.1;
 /// Small: left from right, where all else is equal; a left hand is still like a right hand.
 constexpr double HandednessWeight = 0.025;
 /// Paths in different components on one side and in the same on the other.
@@ -123,8 +127,9 @@ double GlobalCost::Intrinsic(const Assignment& targetOf) const
       }
     }
     const double weight = 0.5 * (this->Source.Weight(i) + this->Target.Weight(j));
-    cost +=
-      weight * (this->TerminalTable[i * targets + j] + (weights > 0.0 ? unlike / weights : 0.0));
+    const double pair =
+      this->TerminalTable[i * targets + j] + (weights > 0.0 ? unlike / weights : 0.0);
+    cost += weight * pair / (1.0 + pair / Saturation);
   }
   cost += UnmatchedCost * 0.5 * (2.0 - matchedSource - matchedTarget);
   return cost + SplitWeight * this->SplitCost(targetOf) + PoseWeight * this->PoseCost(targetOf);

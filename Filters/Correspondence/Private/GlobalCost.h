@@ -11,15 +11,20 @@ namespace marrow
 /// What a correspondence of terminals costs, seen over the whole skeletons (ours; the correspondence
 /// paper's cost looks at each junction by itself).
 ///
-///   Σ W (|ΔAGD| + mean over the other matched terminals of how unlike the paths to them are)
-///   + the weight of what is left unmatched · a constant
-///   + the length of the branches that split the matched terminals as no branch of the other
-///     skeleton does (they would have to be merged away)
+///   Σ over matched pairs: W · (how unlike the two are), saturating
+///   + W of what is left unmatched · a constant
+///   + the branches that split the matched terminals as no branch of the other skeleton does, by
+///     length (they would have to be merged away); little as long as they are within the junctions
+///   + how far the terminals' branches are from lying alike in space after the best rotation
 ///   + a penalty for handedness: (1 − correlation of the signed volumes of quadruples of matched
-///     points) / 2; this alone tells left from right.
+///     points) / 2. It is small, and tells left from right where all else is equal.
 ///
-/// Paths are compared by length, by the profile of MSP along them and by how straight their middle
-/// parts are. W is a terminal's share in the length and the surface of all terminal branches.
+/// Two terminals are unlike by AGD, by how MSP grows inwards from the tip, and by the paths to all
+/// other matched terminals: their length, the profile of MSP along them, how straight their middle
+/// parts are, the angle between the branches at their ends, and whether those are twins (alike in
+/// their own skeleton, as two legs are; what the paper's clusters are for). Nearly all of it stays as
+/// it is when the pose changes. W is a terminal's share in the length and the surface of all terminal
+/// branches.
 class GlobalCost
 {
 public:
