@@ -5,6 +5,7 @@
 #include "FilterSupport.h"
 #include "MatchedSkeletons.h"
 #include "MeshBridge.h"
+#include "SegmentLoops.h"
 #include "SegmentationTransfer.h"
 #include "TransferInputs.h"
 
@@ -130,6 +131,16 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   error = error.empty() && !marrow::IsAborted(this)
     ? marrow::ReadCorrespondence(this, 0.7, 0.75, source, target, ids, confidence)
     : error;
+  if (error.empty() && !labels.empty())
+  {
+    const int numberOfPieces = marrow::FindPieces(sourceMesh.Mesh, labels).NumberOfPieces();
+    if (numberOfPieces > marrow::MostPieces)
+    {
+      error = "Source: the segments fall into " + std::to_string(numberOfPieces) +
+        " connected pieces, more than " + std::to_string(marrow::MostPieces) +
+        ": merge the small ones with their neighbours first.";
+    }
+  }
   if (!error.empty())
   {
     vtkErrorMacro(<< error);

@@ -54,7 +54,8 @@
  *   vertices; the labels change along whole edges next to them.
  *
  * Errors: a source without the segment array (the message names those there are), or with one of
- * another size or more than one component; a mesh that is empty, has cells other than triangles, or
+ * another size, more than one component, values that are no integers, or more than 500 connected
+ * pieces of segments (noise); a mesh that is empty, has cells other than triangles, or
  * is no oriented manifold; a skeleton that is not one, or does not belong to its mesh (SkeletonNodeId
  * is missing or out of range). Open meshes and several components are no error. The message names the
  * side and says what to do.

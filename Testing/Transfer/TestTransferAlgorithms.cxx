@@ -277,8 +277,8 @@ TEST(ChainAlignment, FollowsAStepOfThickness)
   const bool forward = chain.Source.Front() == 0;
   EXPECT_NEAR(alignment.TargetRatio(0.5), forward ? 0.6 : 0.4, 0.03);
   // Alike chains stay as they are.
-  EXPECT_NEAR(AlignChains(source.Analyzed, chain.Source, source.Analyzed, chain.Source, {})
-                .TargetRatio(0.3),
+  EXPECT_NEAR(
+    AlignChains(source.Analyzed, chain.Source, source.Analyzed, chain.Source, {}).TargetRatio(0.3),
     0.3, 1e-9);
 }
 

@@ -44,6 +44,9 @@ struct TransferResult
   bool IsAborted = false;
 };
 
+/// More connected pieces than this are noise, not segments; time and memory grow with their number.
+inline constexpr int MostPieces = 500;
+
 /// Carries the labels of the source's triangles to the target's (T:4, with the guided map for what
 /// the paper leaves out). `correspondenceConfidence` is how far `match` can be trusted, in [0,1].
 TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
