@@ -5,16 +5,16 @@
  *
  * The method is that of S.-K. Wong, J.-A. Yang, T.-C. Ho, J.-H. Chuang, "A Skeleton-Based Approach
  * for Consistent Segmentation Transfer" (2012). Every segment boundary that encloses one branch of
- * the source's skeleton is placed on the matching branch of the target: where along it, by
- * landmarks where the thickness changes (ghost boundaries); how it lies, by the frames of the
- * matched branches; its shape, by cylindrical parameterizations of the surface round both; and a
- * snake draws it to features of the surface. The boundaries cut the target, and the regions take
- * their segments.
+ * the source's skeleton is placed on the matching branch of the target: where along it, by what the
+ * surface is like along both branches, with the places where the thickness changes (ghost
+ * boundaries) as landmarks; how it lies, by the frames of the matched branches; its shape, by
+ * cylindrical parameterizations of the surface round both; and a snake draws it to features of the
+ * surface. The boundaries cut the target, and the regions take their segments.
  *
  * What the paper leaves out is carried by a guided map: each target vertex is moved to the source's
  * space with its part of the skeleton, and looks up the segments there; one graph cut over the
  * target then settles the boundaries that enclose several branches or none, and those that found no
- * closed place. The result is always a valid labelling: no face is without a segment, and each
+ * closed place or one that contradicts the map. The result is always a valid labelling: no face is without a segment, and each
  * connected piece of a segment on the source is one connected piece on the target, or absent and
  * reported.
  *
