@@ -14,37 +14,60 @@
  * reflections) and the junctions at the far ends of matched branches. Every choice is a node of a
  * tree; every leaf of it is a complete answer with a cost.
  *
+ * Going beyond the paper, the leaves are compared by a cost over the whole skeletons
+ * (GlobalSelection): for all matched terminals, the paths between them by length and by MSP along
+ * them, how MSP grows from the tip inwards, twins (two legs go to two legs), how they lie in space,
+ * what would have to be merged and what is left over; and handedness, which tells left from right
+ * where all else is equal. The best leaves are refined by exchanging terminals, and the branches
+ * follow from the terminals: those that split the terminals alike are the same. Refined results are
+ * leaves of their own. The pose matters little; the numbering of points, position, orientation and
+ * size do not matter.
+ *
  * Skeletons without a junction (a snake, a capsule) are matched along the path between their
  * terminals in the direction in which MSP and AGD run alike; rings without a junction (a torus) by
- * the ring. Several components are matched largest with most alike, each component once.
+ * the ring. Several components are matched largest with most alike, each component once, and not
+ * refined.
  *
- * Ports in:
- * - 0, source: a skeleton (vtkPolyData) of vtkMSPSkeleton or vtkMeanCurvatureSkeleton;
- * - 1, target: another one.
+ * Limits: a horn goes to an ear, or a head without a muzzle to an ear, where the target has nothing
+ * better; of rotational symmetries (an octopus) any rotation may come out; left and right of bodies
+ * whose skeletons are flat are a guess.
  *
- * Arrays read from both: point arrays AGD, MSP, Radius (double, one component); field arrays
- * MeshDiagonal, MeshMaximumMSP (if absent, those of the skeleton itself stand in).
+ * Input port 0: the source, a skeleton (vtkPolyData) of vtkMSPSkeleton or vtkMeanCurvatureSkeleton.
+ * Input port 1: the target, another one.
  *
- * Ports out:
- * - 0, 1: the skeletons, all of their arrays kept, with
- *   - CorrespondenceId (points, vtkIdType): equal on both = matched; several points of one skeleton
- *     with the same id are a merged group; -1 for nodes without a partner and for all regular
- * nodes;
- *   - BranchCorrespondenceId (cells, vtkIdType): equal on both = matched; several polylines of one
- *     skeleton with the same id are a chain of merged branches; -1 for branches without a partner
- * and for those inside a merged group;
- *   - BranchCorrespondenceOrder (cells, vtkIdType): the place of the polyline in its chain, from 0;
- * -1 if unmatched;
- *   - BranchCorrespondenceReversed (cells, unsigned char): 1 if the polyline runs against the
- * chain. A matched pair of chains runs on both skeletons from the same CorrespondenceId to the same
- *     CorrespondenceId, also where the two are equal (a loop);
- *   and the field arrays, one value each: CorrespondenceTreeNodes, CorrespondenceTreeHeight,
- *   CorrespondenceCorePairs, CorrespondenceMerges, CorrespondenceClusters, CorrespondenceLeaves
- *   (vtkIdType; the numbers of the paper's Table 3) and CorrespondenceConfidence (double in [0,1]).
- * - 2: vtkTable, one row per leaf, the best first; row i is what LeafIndex i puts out. Columns
- *   GlobalCost, PaperCost, Confidence, SourceCoverage, TargetCoverage (double; matched length over the
- *   skeleton's length), Refined (unsigned char; 1 if the leaf is not of the tree but was found by
- *   going on from one), JunctionPairs, TerminalPairs, BranchPairs, Merges (vtkIdType).
+ * | array read | on | type | meaning |
+ * | --- | --- | --- | --- |
+ * | AGD, MSP, Radius | points | one component | as vtkMSPSkeleton gives them |
+ * | MeshDiagonal, MeshMaximumMSP | field | one value | if absent, the skeleton's own stand in |
+ *
+ * Output ports 0 and 1: source and target, all of their arrays kept, and the following.
+ *
+ * | array | on | type | meaning |
+ * | --- | --- | --- | --- |
+ * | CorrespondenceId | points | vtkIdType | equal on both: the same part; -1: none |
+ * | BranchCorrespondenceId | cells | vtkIdType | equal on both: the same part; -1: none |
+ * | BranchCorrespondenceOrder | cells | vtkIdType | place in its chain, from 0; -1: none |
+ * | BranchCorrespondenceReversed | cells | unsigned char | 1: runs against its chain |
+ * | CorrespondenceTreeNodes | field | vtkIdType | nodes of the tree that were kept |
+ * | CorrespondenceTreeHeight | field | vtkIdType | steps from the root to the lowest leaf |
+ * | CorrespondenceCorePairs | field | vtkIdType | pairs of junctions the tree begins with |
+ * | CorrespondenceMerges | field | vtkIdType | mergings of junctions and branches, in all nodes |
+ * | CorrespondenceClusters | field | vtkIdType | clusters of branches found, in all nodes |
+ * | CorrespondenceLeaves | field | vtkIdType | different leaves of the tree, without refined ones |
+ * | CorrespondenceConfidence | field | double | in [0,1], see below |
+ *
+ * Only terminals and junctions have a CorrespondenceId. Several points of one skeleton with one id
+ * are a merged group, several polylines with one BranchCorrespondenceId a chain of merged branches;
+ * polylines inside a merged group have -1. A chain runs on both skeletons from the same
+ * CorrespondenceId to the same CorrespondenceId, also where the two are equal (a loop): walk its
+ * polylines in their order, backwards where reversed. The fields up to the leaves are the numbers
+ * of the paper's Table 3. The confidence is the share of terminals that may be expected to be
+ * matched with the same part, judged by GlobalCost as fitted to labelled meshes.
+ *
+ * Output port 2: vtkTable, one row per leaf, the best first; row i is what LeafIndex i puts out.
+ * Columns GlobalCost, PaperCost (the paper's equation 7), Confidence, SourceCoverage,
+ * TargetCoverage (double; matched length over the skeleton's), Refined (unsigned char; 1 if not of
+ * the tree), JunctionPairs, TerminalPairs, BranchPairs, Merges (vtkIdType).
  *
  * Errors: a skeleton that is empty, lacks an array, has values that are not finite or lines that
  * run through junctions; LeafIndex beyond the last leaf.

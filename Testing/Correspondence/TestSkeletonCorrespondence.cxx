@@ -2,6 +2,7 @@
 #include "SkeletonShapes.h"
 
 #include "ErrorObserver.h"
+#include "SkeletonMatching.h"
 #include "vtkSkeletonCorrespondence.h"
 
 #include <vtkCellData.h>
@@ -513,6 +514,19 @@ TEST(SkeletonCorrespondence, PaperSelectionMatchesTheSame)
       matched.Table()->GetValueByName(row, "PaperCost").ToDouble());
     EXPECT_EQ(0, matched.Table()->GetValueByName(row, "Refined").ToInt());
   }
+}
+
+TEST(SkeletonCorrespondence, HasTheAlgorithmsDefaults)
+{
+  const marrow::TreeParameters tree;
+  const marrow::MatchingParameters matching;
+  vtkNew<vtkSkeletonCorrespondence> filter;
+  EXPECT_EQ(tree.JunctionThreshold, filter->GetJunctionThreshold());
+  EXPECT_EQ(tree.MergeDistance, filter->GetMergeDistance());
+  EXPECT_EQ(tree.ClusterDistance, filter->GetClusterDistance());
+  EXPECT_EQ(matching.DescriptorPieces, filter->GetDescriptorPieces());
+  EXPECT_EQ(matching.GlobalSelection, filter->GetGlobalSelection());
+  EXPECT_EQ(0, filter->GetLeafIndex());
 }
 
 TEST(SkeletonCorrespondence, SaysWhatIsWrong)

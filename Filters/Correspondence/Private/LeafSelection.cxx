@@ -6,6 +6,7 @@
 #include "SplitConsensus.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace marrow
@@ -161,6 +162,10 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
 
 double Confidence(const RatedLeaf& leaf)
 {
-  return std::clamp((1.0 - leaf.GlobalCost) * MeanCoverage(leaf), 0.0, 1.0);
+  constexpr double even = 0.285;
+  constexpr double width = 0.03;
+  // Nothing matched costs most, and is surely no answer.
+  return leaf.Match.Branches.empty() ? 0.0
+                                     : 1.0 / (1.0 + std::exp((leaf.GlobalCost - even) / width));
 }
 }

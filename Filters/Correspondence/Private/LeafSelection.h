@@ -26,9 +26,9 @@ struct RatedLeaf
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global);
 
-/// How sure it is that a leaf is right, in [0,1]: (1 - GlobalCost) · the mean of both coverages. Of the
-/// measures tried on labelled meshes it told right from wrong best; the distance to the second best
-/// leaf told nothing, since that is mostly the same with left for right.
+/// The share of terminals that may be expected to be matched with the same part, in [0,1]: a logistic
+/// function of GlobalCost, fitted to labelled meshes. The distance to the second best leaf tells
+/// nothing, since that is mostly the same with left for right.
 double Confidence(const RatedLeaf& leaf);
 }
 
