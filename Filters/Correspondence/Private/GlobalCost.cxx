@@ -18,16 +18,16 @@ constexpr double LengthWeight = 0.9;
 constexpr double LengthTolerance = 0.05;
 constexpr double ProfileWeight = 1.0;
 constexpr double ChordWeight = 0.35;
-constexpr double AngleWeight = 0.1;
-constexpr double TwinWeight = 0.2;
-constexpr double CentricityWeight = 0.05;
-constexpr double TaperWeight = 0.4;
+constexpr double AngleWeight = 0.2;
+constexpr double TwinWeight = 0.6;
+constexpr double CentricityWeight = 0.2;
+constexpr double TaperWeight = 1.0;
 /// A pair costs half as much as it is unlike from here on: shapes differ, and one long tail must not
 /// outweigh all that fits.
 constexpr double Saturation = 0.6;
-constexpr double UnmatchedCost = 0.45;
+constexpr double UnmatchedCost = 0.8;
 constexpr double SplitWeight = 0.6;
-constexpr double PoseWeight = 0.1;
+constexpr double PoseWeight = 0.15;
 /// Small: left from right, where all else is equal; a left hand is still like a right hand.
 constexpr double HandednessWeight = 0.025;
 /// Paths in different components on one side and in the same on the other.

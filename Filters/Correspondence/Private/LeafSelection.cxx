@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace marrow
@@ -14,6 +15,7 @@ namespace marrow
 namespace
 {
 constexpr std::size_t MaximumStarts = 12;
+constexpr double SurfaceWeight = 0.3;
 constexpr double CoverageWeight = 0.1;
 
 double Coverage(const FeatureGraph& graph, const FeatureCorrespondence& match,
@@ -25,6 +27,50 @@ double Coverage(const FeatureGraph& graph, const FeatureCorrespondence& match,
     length += graph.Length(branches.*path);
   }
   return length;
+}
+
+/// The surface along a path: the integral of MSP, in the units of the graph.
+double SurfaceOf(const FeatureGraph& graph, const std::vector<int>& darts)
+{
+  constexpr int pieces = 16;
+  double surface = 0.0;
+  for (const int dart : darts)
+  {
+    const std::vector<double> profile = graph.Profile({ dart }, FeatureGraph::Measure::MSP, pieces);
+    surface +=
+      graph.Length(dart / 2) * std::accumulate(profile.begin(), profile.end(), 0.0) / pieces;
+  }
+  return surface;
+}
+
+double TotalSurface(const FeatureGraph& graph)
+{
+  double surface = 0.0;
+  for (int branch = 0; branch < graph.NumberOfBranches(); ++branch)
+  {
+    surface += SurfaceOf(graph, { 2 * branch });
+  }
+  return surface;
+}
+
+/// How unlike the surface is shared out among the matched branches, in [0,1]: 0 if all is matched
+/// and every part has the same share on both sides. A head is not a tail, whatever its form.
+double SurfaceUnlike(
+  const FeatureGraph& source, const FeatureGraph& target, const FeatureCorrespondence& match)
+{
+  const double sourceTotal = TotalSurface(source);
+  const double targetTotal = TotalSurface(target);
+  if (!(sourceTotal > 0.0) || !(targetTotal > 0.0))
+  {
+    return 0.0;
+  }
+  double common = 0.0;
+  for (const MatchedBranches& branches : match.Branches)
+  {
+    common += std::min(SurfaceOf(source, branches.Source) / sourceTotal,
+      SurfaceOf(target, branches.Target) / targetTotal);
+  }
+  return 1.0 - common;
 }
 
 RatedLeaf Rate(
@@ -139,7 +185,8 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
     for (RatedLeaf& leaf : some)
     {
       leaf.GlobalCost = cost.Total(TerminalAssignment(sourcePaths, targetPaths, leaf.Match)) +
-        CoverageWeight * (1.0 - MeanCoverage(leaf));
+        CoverageWeight * (1.0 - MeanCoverage(leaf)) +
+        SurfaceWeight * SurfaceUnlike(source, target, leaf.Match);
     }
   };
   std::vector<RatedLeaf> result;

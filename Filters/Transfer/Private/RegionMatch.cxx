@@ -76,6 +76,34 @@ void MarkCut(const TriangleMesh& mesh, const std::vector<int>& halfEdges, std::v
   }
 }
 
+/// The regions that are left if only these half-edges are cut.
+std::vector<int> RegionsOfCut(const TriangleMesh& mesh, const std::vector<int>& halfEdges)
+{
+  std::vector<bool> isCut(mesh.Opposite.size(), false);
+  MarkCut(mesh, halfEdges, isCut);
+  int numberOfRegions = 0;
+  return FloodRegions(mesh, isCut, numberOfRegions);
+}
+
+bool PartsLandmarksAlike(const TriangleMesh& source, const std::vector<int>& sourceHalfEdges,
+  const TriangleMesh& target, const std::vector<int>& targetHalfEdges,
+  const std::vector<TrianglePair>& landmarks)
+{
+  if (landmarks.empty())
+  {
+    return true;
+  }
+  const std::vector<int> sourceRegion = RegionsOfCut(source, sourceHalfEdges);
+  const std::vector<int> targetRegion = RegionsOfCut(target, targetHalfEdges);
+  const TrianglePair& first = landmarks.front();
+  return std::all_of(landmarks.begin(), landmarks.end(),
+    [&](const TrianglePair& other)
+    {
+      return (sourceRegion[other.first] == sourceRegion[first.first]) ==
+        (targetRegion[other.second] == targetRegion[first.second]);
+    });
+}
+
 /// How many half-edges along one side of one loop join a target region with a source region.
 struct Vote
 {
@@ -87,8 +115,16 @@ struct Vote
 }
 
 RegionMatch MatchRegions(const TriangleMesh& source, const TriangleMesh& target,
-  const std::vector<SegmentLoop>& loops, std::vector<LoopCut>& cuts)
+  const std::vector<SegmentLoop>& loops, const std::vector<TrianglePair>& landmarks,
+  std::vector<LoopCut>& cuts)
 {
+  cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
+               [&](const LoopCut& cut)
+               {
+                 return !PartsLandmarksAlike(source, loops[cut.Loop].HalfEdges, target,
+                   HalfEdgesOfCut(target, cut.Cut), landmarks);
+               }),
+    cuts.end());
   for (;;)
   {
     RegionMatch match;

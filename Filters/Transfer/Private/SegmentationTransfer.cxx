@@ -82,6 +82,33 @@ std::vector<bool> TransferredPieces(
     : std::vector<bool>(pieces.NumberOfPieces(), true);
 }
 
+/// A triangle at either tip of every matched pair of limbs.
+std::vector<TrianglePair> TipsOfMatchedLimbs(
+  const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
+{
+  const auto triangleAt = [](const AnalyzedMesh& side, int node)
+  {
+    const std::vector<int>& vertices = side.Skeleton.Graph[node].Vertices;
+    const int h = vertices.empty() ? -1 : side.Mesh.Outgoing[vertices.front()];
+    return side.Skeleton.TypeOf(node) == NodeType::Terminal && h >= 0 ? TriangleMesh::TriangleOf(h)
+                                                                      : -1;
+  };
+  std::vector<TrianglePair> tips;
+  for (const ChainPair& chain : match.Chains)
+  {
+    for (const bool back : { false, true })
+    {
+      const int s = triangleAt(source, back ? chain.Source.Back() : chain.Source.Front());
+      const int t = triangleAt(target, back ? chain.Target.Back() : chain.Target.Front());
+      if (s >= 0 && t >= 0)
+      {
+        tips.emplace_back(s, t);
+      }
+    }
+  }
+  return tips;
+}
+
 /// What each region of the target may be: the pieces of its partner on the source.
 AllowedPieces PiecesOfRegions(const SegmentPieces& pieces, const RegionMatch& match,
   const std::vector<bool>& isTransferred, bool largestOnly)
@@ -277,7 +304,8 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
       cuts.push_back({ static_cast<int>(i), std::move(*best) });
     }
   }
-  const RegionMatch regions = MatchRegions(source.Mesh, target.Mesh, loops, cuts);
+  const RegionMatch regions =
+    MatchRegions(source.Mesh, target.Mesh, loops, TipsOfMatchedLimbs(source, target, match), cuts);
   const AllowedPieces allowed =
     PiecesOfRegions(pieces, regions, isTransferred, parameters.StrictBoundaries);
   std::vector<int> pieceOfTriangle = LabelInterior(
