@@ -209,8 +209,8 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
 
 double Confidence(const RatedLeaf& leaf)
 {
-  constexpr double even = 0.285;
-  constexpr double width = 0.03;
+  constexpr double even = 0.62;
+  constexpr double width = 0.12;
   // Nothing matched costs most, and is surely no answer.
   return leaf.Match.Branches.empty() ? 0.0
                                      : 1.0 / (1.0 + std::exp((leaf.GlobalCost - even) / width));
