@@ -12,9 +12,10 @@ namespace marrow
 struct RatedLeaf
 {
   FeatureCorrespondence Match;
-  bool Refined = false;        ///< not of the tree but found by going on from its leaves
-  double PaperCost = 0.0;      ///< C_leaf (correspondence paper, equation 7)
-  double GlobalCost = 0.0;     ///< GlobalCost and what the branches leave uncovered
+  bool Refined = false;   ///< not of the tree but found by going on from its leaves
+  double PaperCost = 0.0; ///< C_leaf (correspondence paper, equation 7)
+  /// GlobalCost of the terminals, what the branches leave uncovered, how the surface is shared out
+  double GlobalCost = 0.0;
   double Cost = 0.0;           ///< what the leaves are sorted by
   double SourceCoverage = 0.0; ///< length of the matched branches, of the whole skeleton's
   double TargetCoverage = 0.0;
