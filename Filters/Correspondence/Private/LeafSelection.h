@@ -16,7 +16,6 @@ struct RatedLeaf
   double PaperCost = 0.0; ///< C_leaf (correspondence paper, equation 7)
   /// GlobalCost of the terminals, what the branches leave uncovered, how the surface is shared out
   double GlobalCost = 0.0;
-  double Cost = 0.0;           ///< what the leaves are sorted by
   double SourceCoverage = 0.0; ///< length of the matched branches, of the whole skeleton's
   double TargetCoverage = 0.0;
 };
