@@ -26,7 +26,7 @@ constexpr double TaperWeight = 1.0;
 /// A pair costs half as much as it is unlike from here on: shapes differ, and one long tail must not
 /// outweigh all that fits.
 constexpr double Saturation = 0.6;
-constexpr double UnmatchedCost = 0.8;
+constexpr double UnmatchedCost = 0.6;
 constexpr double SplitWeight = 0.6;
 constexpr double PoseWeight = 0.15;
 /// Small: left from right, where all else is equal; a left hand is still like a right hand.
