@@ -49,9 +49,10 @@ void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side, double 
   SetIdArray(output->GetPointData(), names::CorrespondenceId, side.NodeId);
   vtkCellData* cells = output->GetCellData();
   SetIdArray(cells, names::BranchCorrespondenceId, OverCells(output, side.BranchId, -1));
-  SetIdArray(cells, "BranchCorrespondenceOrder", OverCells(output, side.BranchOrder, -1));
+  SetIdArray(cells, names::BranchCorrespondenceOrder, OverCells(output, side.BranchOrder, -1));
   const unsigned char along = 0;
-  SetArray(cells, "BranchCorrespondenceReversed", OverCells(output, side.BranchReversed, along));
+  SetArray(
+    cells, names::BranchCorrespondenceReversed, OverCells(output, side.BranchReversed, along));
 
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceTreeNodes", tree.TreeNodes);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceTreeHeight", tree.Height);
@@ -59,7 +60,7 @@ void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side, double 
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceMerges", tree.Merges);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceClusters", tree.Clusters);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceLeaves", tree.Leaves);
-  AddFieldValue<vtkDoubleArray>(output, "CorrespondenceConfidence", confidence);
+  AddFieldValue<vtkDoubleArray>(output, names::CorrespondenceConfidence, confidence);
 }
 
 void WriteTable(const std::vector<marrow::SkeletonMatch>& leaves, vtkTable* table)

@@ -24,9 +24,6 @@ namespace marrow
 {
 namespace
 {
-constexpr const char* BranchCorrespondenceOrder = "BranchCorrespondenceOrder";
-constexpr const char* BranchCorrespondenceReversed = "BranchCorrespondenceReversed";
-constexpr const char* CorrespondenceConfidence = "CorrespondenceConfidence";
 
 vtkSmartPointer<vtkPolyData> OutputOf(vtkAlgorithm* filter, int port)
 {
@@ -100,8 +97,8 @@ bool GetIds(vtkPolyData* skeleton, std::vector<int>& nodes, std::vector<int>& br
   const int numberOfNodes = static_cast<int>(skeleton->GetNumberOfPoints());
   const int numberOfBranches = static_cast<int>(skeleton->GetNumberOfCells());
   vtkCellData* cells = skeleton->GetCellData();
-  if (!GetArray(cells, BranchCorrespondenceOrder, numberOfBranches, order.Order) ||
-    !GetArray(cells, BranchCorrespondenceReversed, numberOfBranches, order.Reversed))
+  if (!GetArray(cells, names::BranchCorrespondenceOrder, numberOfBranches, order.Order) ||
+    !GetArray(cells, names::BranchCorrespondenceReversed, numberOfBranches, order.Reversed))
   {
     order = {};
   }
@@ -182,7 +179,7 @@ std::string ReadCorrespondence(vtkAlgorithm* outer, double from, double to, Tran
       return "The skeletons could not be matched: see the message of vtkSkeletonCorrespondence.";
     }
   }
-  vtkDataArray* array = source.Skeleton->GetFieldData()->GetArray(CorrespondenceConfidence);
+  vtkDataArray* array = source.Skeleton->GetFieldData()->GetArray(names::CorrespondenceConfidence);
   confidence =
     array && array->GetNumberOfTuples() > 0 ? std::clamp(array->GetTuple1(0), 0.0, 1.0) : 1.0;
   return {};

@@ -25,10 +25,15 @@ inline constexpr const char* CorrespondenceId = "CorrespondenceId";
 inline constexpr const char* BranchId = "BranchId";
 inline constexpr const char* BranchLength = "BranchLength";
 inline constexpr const char* BranchCorrespondenceId = "BranchCorrespondenceId";
+inline constexpr const char* BranchCorrespondenceOrder = "BranchCorrespondenceOrder";
+inline constexpr const char* BranchCorrespondenceReversed = "BranchCorrespondenceReversed";
 
 // On the skeleton as a whole (field data), about the mesh that it belongs to
 inline constexpr const char* MeshDiagonal = "MeshDiagonal";
 inline constexpr const char* MeshMaximumMSP = "MeshMaximumMSP";
+
+// On two skeletons that were matched (field data)
+inline constexpr const char* CorrespondenceConfidence = "CorrespondenceConfidence";
 
 // On mesh cells
 inline constexpr const char* SegmentId = "SegmentId";
