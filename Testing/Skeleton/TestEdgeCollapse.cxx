@@ -245,7 +245,7 @@ TEST(ShrunkMesh, LengthwiseSlicesAreNotTrusted)
     }
   }
   // The middle of the cap stays at the end instead of jumping to the middle of the cylinder.
-  const auto shrunk = ShrinkMesh(mesh, msp, center, valid);
+  const auto shrunk = ShrinkMesh(mesh, msp, center, reliability);
   EXPECT_GT(std::abs(shrunk[inCap].z()), 0.4 * length);
 }
 }

@@ -32,9 +32,9 @@ void KeepOwnVertices(Skeleton& skeleton, int numberOfVertices)
 Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& measures,
   double finestArea, double spacing, const Progress& progress)
 {
-  const std::vector<Eigen::Vector3d> shrunk =
-    ShrinkMesh(mesh, measures.MSP, measures.MSPCenter, measures.MSPValid);
   std::vector<double> weight = SliceReliability(mesh, measures.MSP, measures.MSPValid);
+  const std::vector<Eigen::Vector3d> shrunk =
+    ShrinkMesh(mesh, measures.MSP, measures.MSPCenter, weight);
   const std::vector<double> area = mesh.VertexAreas();
   for (std::size_t v = 0; v < weight.size(); ++v)
   {

@@ -86,10 +86,9 @@ std::vector<double> SliceReliability(
 }
 
 std::vector<Eigen::Vector3d> ShrinkMesh(const TriangleMesh& mesh, const std::vector<double>& msp,
-  const std::vector<Eigen::Vector3d>& sliceCenter, const std::vector<unsigned char>& valid)
+  const std::vector<Eigen::Vector3d>& sliceCenter, const std::vector<double>& reliability)
 {
   const int numberOfVertices = mesh.NumberOfVertices();
-  const std::vector<double> reliability = SliceReliability(mesh, msp, valid);
   const std::vector<double> area = mesh.VertexAreas();
   const std::vector<double> honest = SlopeLimited(mesh, msp);
 

@@ -19,11 +19,11 @@ std::vector<double> SliceReliability(const TriangleMesh& mesh, const std::vector
 
 /// The vertices of the shrunk mesh (correspondence paper, section 5): each at its slice centre where
 /// that is reliable, and drawn towards its neighbours' where it is not. The positions minimise
-/// Σ a w |x - c|² + Σ s² k |x_i - x_j|²  with a the area, w the reliability, c the slice centre, k the
+/// Σ a w |x - c|² + Σ s² k |x_i - x_j|²  with a the area, w the SliceReliability, c the slice centre, k the
 /// clamped cotangent weight and s a third of the local radius MSP / 2π: the smoothing knows the
 /// thickness of the part, not the size of the triangles.
 std::vector<Eigen::Vector3d> ShrinkMesh(const TriangleMesh& mesh, const std::vector<double>& msp,
-  const std::vector<Eigen::Vector3d>& sliceCenter, const std::vector<unsigned char>& valid);
+  const std::vector<Eigen::Vector3d>& sliceCenter, const std::vector<double>& reliability);
 }
 
 #endif
