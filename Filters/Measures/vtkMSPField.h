@@ -69,6 +69,9 @@ public:
   vtkGetMacro(NumberOfSlices, int);
   ///@}
 
+  /**
+   * The vertices from which the average geodesic distance is taken.
+   */
   enum AGDMethodType
   {
     SAMPLED = 0,  ///< from 64 farthest-point samples of each component; time grows with n

@@ -50,6 +50,9 @@ public:
   vtkTypeMacro(vtkCreatureSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * The shapes, with their segments and terminals in the table above.
+   */
   enum ShapeType
   {
     BIPED = 0,
