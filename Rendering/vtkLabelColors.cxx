@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkLabelColors);
 
 namespace
 {
-constexpr int NumberOfColors = 12;
+constexpr int NumberOfColors = 24;
 constexpr unsigned char Colors[NumberOfColors][3] = {
   { 204, 121, 167 }, // reddish purple
   { 230, 159, 0 },   // orange
@@ -22,26 +22,32 @@ constexpr unsigned char Colors[NumberOfColors][3] = {
   { 0, 158, 115 },   // bluish green
   { 213, 94, 0 },    // vermilion
   { 0, 114, 178 },   // blue
-  { 136, 34, 85 },   // wine
-  { 51, 34, 136 },   // indigo
-  { 68, 170, 153 },  // teal
-  { 153, 153, 51 },  // olive
-  { 204, 102, 119 }  // rose
+  { 17, 68, 0 },     // dark green
+  { 68, 17, 153 },   // indigo
+  { 34, 255, 153 },  // mint
+  { 85, 0, 85 },     // plum
+  { 238, 0, 85 },    // crimson
+  { 102, 85, 221 },  // violet
+  { 136, 68, 119 },  // mauve
+  { 187, 238, 102 }, // lime
+  { 85, 0, 119 },    // dark purple
+  { 170, 0, 34 },    // red
+  { 119, 34, 68 },   // wine
+  { 153, 255, 204 }, // pale mint
+  { 68, 119, 68 },   // moss
+  { 187, 238, 255 }, // pale blue
+  { 187, 170, 85 },  // sand
+  { 187, 34, 170 },  // magenta
+  { 170, 136, 255 }  // lavender
 };
 constexpr double NoLabel = 0.8;
-constexpr double Darkened = 0.6;
 }
 
 void vtkLabelColors::GetColor(vtkIdType label, double rgb[3])
 {
   for (int k = 0; k < 3; ++k)
   {
-    rgb[k] = NoLabel;
-    if (label >= 0)
-    {
-      const double shade = label / NumberOfColors % 2 == 0 ? 1.0 : Darkened;
-      rgb[k] = shade * Colors[label % NumberOfColors][k] / 255.0;
-    }
+    rgb[k] = label < 0 ? NoLabel : Colors[label % NumberOfColors][k] / 255.0;
   }
 }
 

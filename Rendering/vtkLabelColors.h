@@ -4,10 +4,13 @@
  * @brief   categorical colours that depend on nothing but the label
  *
  * Equal labels have equal colours on every mesh, whatever other labels are there, so that pictures
- * of a source and of its targets can be compared by eye. Labels 0 to 11 have twelve colours that
- * people with colour-deficient vision tell apart (the seven of Okabe and Ito 2008 without black,
- * and five of Tol's "muted" scheme, 2021); the next twelve are the same ones darkened, and then
- * they repeat. Negative labels (-1: unmatched, unlabelled) are light grey.
+ * of a source and of its targets can be compared by eye. There are 24 colours, then they repeat.
+ * Negative labels (-1: unmatched, unlabelled) are light grey.
+ *
+ * People with colour-deficient vision tell them apart: any two differ by at least 16 (the first
+ * twelve) or 14 (all) in CIE Lab, as seen by anybody or with protanopia, deuteranopia or tritanopia
+ * (Machado, Oliveira and Fernandes 2009). The first seven are those of Okabe and Ito 2008 without
+ * black; the others were found by maximizing the least difference, the label's grey included.
  */
 #ifndef vtkLabelColors_h
 #define vtkLabelColors_h

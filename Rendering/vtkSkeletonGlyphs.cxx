@@ -26,6 +26,40 @@ namespace
 constexpr double TerminalColor[3] = { 0.0, 0.447, 0.698 };
 constexpr double JunctionColor[3] = { 0.835, 0.369, 0.0 };
 constexpr double BranchColor[3] = { 0.25, 0.25, 0.25 };
+/// Radius of a regular node's ball over that of a feature node.
+constexpr double RegularBall = 0.7;
+
+/// The arrays that the colours come from; null where they do not.
+struct ColorArrays
+{
+  vtkDataArray* OfNodes = nullptr;
+  vtkDataArray* OfBranches = nullptr;
+  bool NodesAlongBranches = false; ///< the tubes too have the nodes' colours
+};
+
+ColorArrays FindColorArrays(vtkPolyData* skeleton, int colorBy, const char* labelArray)
+{
+  ColorArrays arrays;
+  vtkPointData* points = skeleton->GetPointData();
+  vtkCellData* cells = skeleton->GetCellData();
+  switch (colorBy)
+  {
+    case vtkSkeletonGlyphs::CORRESPONDENCE:
+      arrays.OfNodes = points->GetArray(marrow::names::CorrespondenceId);
+      arrays.OfBranches = cells->GetArray(marrow::names::BranchCorrespondenceId);
+      break;
+    case vtkSkeletonGlyphs::BRANCH:
+      arrays.OfBranches = cells->GetArray(marrow::names::BranchId);
+      break;
+    case vtkSkeletonGlyphs::LABEL:
+      arrays.OfNodes = points->GetArray(labelArray);
+      arrays.NodesAlongBranches = arrays.OfNodes != nullptr;
+      break;
+    default:
+      break;
+  }
+  return arrays;
+}
 
 void AddColors(
   vtkPolyData* part, vtkIdType count, const double rgb[3], vtkUnsignedCharArray* colors)
@@ -41,16 +75,13 @@ void AddColors(
 
 void ColorOfId(vtkDataArray* ids, vtkIdType index, double rgb[3])
 {
-  vtkLabelColors::GetColor(ids ? static_cast<vtkIdType>(ids->GetTuple1(index)) : -1, rgb);
+  vtkLabelColors::GetColor(static_cast<vtkIdType>(ids->GetTuple1(index)), rgb);
 }
 
 /// One tube, apart from the others: they share points, and each has a colour of its own.
-void AppendTube(vtkPolyData* skeleton, vtkIdType cell, double radius, const double rgb[3],
-  vtkAppendPolyData* append)
+void AppendTube(vtkPolyData* skeleton, vtkIdType size, const vtkIdType* ids, double radius,
+  const double rgb[3], vtkAppendPolyData* append)
 {
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  skeleton->GetCellPoints(cell, size, ids);
   vtkNew<vtkCellArray> line;
   line->InsertNextCell(size, ids);
   vtkNew<vtkPolyData> branch;
@@ -69,6 +100,35 @@ void AppendTube(vtkPolyData* skeleton, vtkIdType cell, double radius, const doub
   append->AddInputData(triangles->GetOutput());
 }
 
+/// A branch, in pieces of one colour each: a piece ends where the next one begins.
+void AppendBranch(vtkPolyData* skeleton, vtkIdType cell, const ColorArrays& arrays, double radius,
+  vtkAppendPolyData* append)
+{
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  skeleton->GetCellPoints(cell, size, ids);
+  double rgb[3] = { BranchColor[0], BranchColor[1], BranchColor[2] };
+  if (arrays.OfBranches)
+  {
+    ColorOfId(arrays.OfBranches, cell, rgb);
+  }
+  for (vtkIdType first = 0, last = 1; last < size; ++last)
+  {
+    if (last + 1 < size &&
+      (!arrays.NodesAlongBranches ||
+        arrays.OfNodes->GetTuple1(ids[last]) == arrays.OfNodes->GetTuple1(ids[first])))
+    {
+      continue;
+    }
+    if (arrays.NodesAlongBranches)
+    {
+      ColorOfId(arrays.OfNodes, ids[first], rgb);
+    }
+    AppendTube(skeleton, last - first + 1, ids + first, radius, rgb, append);
+    first = last;
+  }
+}
+
 void AppendBall(
   const double center[3], double radius, const double rgb[3], vtkAppendPolyData* append)
 {
@@ -82,6 +142,16 @@ void AppendBall(
   AddColors(sphere->GetOutput(), sphere->GetOutput()->GetNumberOfCells(), rgb, colors);
   append->AddInputData(sphere->GetOutput());
 }
+}
+
+vtkSkeletonGlyphs::vtkSkeletonGlyphs()
+{
+  this->SetLabelArrayName(marrow::names::SegmentId);
+}
+
+vtkSkeletonGlyphs::~vtkSkeletonGlyphs()
+{
+  this->SetLabelArrayName(nullptr);
 }
 
 int vtkSkeletonGlyphs::RequestData(
@@ -102,42 +172,32 @@ int vtkSkeletonGlyphs::RequestData(
     ? meshDiagonal->GetTuple1(0)
     : skeleton->GetLength();
   vtkDataArray* types = skeleton->GetPointData()->GetArray(marrow::names::NodeType);
-  vtkDataArray* nodeIds = skeleton->GetPointData()->GetArray(marrow::names::CorrespondenceId);
-  vtkDataArray* branchIds =
-    skeleton->GetCellData()->GetArray(marrow::names::BranchCorrespondenceId);
-  const bool byId = this->ColorBy == CORRESPONDENCE;
+  const ColorArrays arrays = FindColorArrays(skeleton, this->ColorBy, this->LabelArrayName);
 
   vtkNew<vtkAppendPolyData> append;
   for (vtkIdType cell = 0; cell < skeleton->GetNumberOfCells(); ++cell)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    skeleton->GetCellPoints(cell, size, ids);
-    if (size < 2)
-    {
-      continue;
-    }
-    double rgb[3] = { BranchColor[0], BranchColor[1], BranchColor[2] };
-    if (byId)
-    {
-      ColorOfId(branchIds, cell, rgb);
-    }
-    AppendTube(skeleton, cell, this->TubeRadius * diagonal, rgb, append);
+    AppendBranch(skeleton, cell, arrays, this->TubeRadius * diagonal, append);
   }
   for (vtkIdType node = 0; types && node < skeleton->GetNumberOfPoints(); ++node)
   {
     const auto type = static_cast<marrow::NodeType>(static_cast<int>(types->GetTuple1(node)));
-    if (type == marrow::NodeType::Regular)
+    const bool isRegular = type == marrow::NodeType::Regular;
+    if (isRegular && !this->ShowRegularNodes)
     {
       continue;
     }
-    const double* fixed = type == marrow::NodeType::Junction ? JunctionColor : TerminalColor;
+    const bool hasTypeColor = !isRegular && !arrays.OfBranches;
+    const double* fixed = !hasTypeColor    ? BranchColor
+      : type == marrow::NodeType::Junction ? JunctionColor
+                                           : TerminalColor;
     double rgb[3] = { fixed[0], fixed[1], fixed[2] };
-    if (byId)
+    if (arrays.OfNodes && (!isRegular || arrays.NodesAlongBranches))
     {
-      ColorOfId(nodeIds, node, rgb);
+      ColorOfId(arrays.OfNodes, node, rgb);
     }
-    AppendBall(skeleton->GetPoint(node), this->BallRadius * diagonal, rgb, append);
+    const double radius = this->BallRadius * diagonal * (isRegular ? RegularBall : 1.0);
+    AppendBall(skeleton->GetPoint(node), radius, rgb, append);
   }
   if (append->GetNumberOfInputConnections(0) > 0)
   {
@@ -151,8 +211,11 @@ int vtkSkeletonGlyphs::RequestData(
 void vtkSkeletonGlyphs::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ColorBy: " << (this->ColorBy == NODE_TYPE ? "NodeType" : "Correspondence")
+  static const char* const names[] = { "NodeType", "Correspondence", "Branch", "Label" };
+  os << indent << "ColorBy: " << names[this->ColorBy] << "\n";
+  os << indent << "LabelArrayName: " << (this->LabelArrayName ? this->LabelArrayName : "(none)")
      << "\n";
+  os << indent << "ShowRegularNodes: " << this->ShowRegularNodes << "\n";
   os << indent << "TubeRadius: " << this->TubeRadius << "\n";
   os << indent << "BallRadius: " << this->BallRadius << "\n";
 }
