@@ -58,6 +58,10 @@ int vtkMSPField::RequestData(vtkInformation* vtkNotUsed(request),
   marrow::SetArray(
     points, marrow::names::MSPGradient, marrow::VertexGradient(mesh, slices.Perimeter));
   marrow::SetArray(points, marrow::names::DihedralAngle, marrow::VertexDihedralAngles(mesh));
+  if (!points->GetScalars())
+  {
+    points->SetActiveScalars(marrow::names::MSP);
+  }
   return 1;
 }
 

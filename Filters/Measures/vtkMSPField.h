@@ -26,7 +26,7 @@
  *
  * - AGD, double: average geodesic distance, in [0,1] per connected component; 0 throughout one where
  *   it varies by less than 2 %, as on a ball.
- * - MSP, double: least slice perimeter, in mesh units.
+ * - MSP, double: least slice perimeter, in mesh units; the active scalars if the mesh has none.
  * - MSPCenter, double×3: length-weighted centroid of that slice.
  * - MSPNormal, double×3: unit normal of that slice's plane; its sign means nothing.
  * - MSPGradient, double×3: gradient of MSP, dimensionless, towards the thicker part, by the paper's

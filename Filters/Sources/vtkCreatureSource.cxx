@@ -64,6 +64,7 @@ int vtkCreatureSource::RequestData(
   surface->SetPoints(points);
   surface->SetPolys(polygons);
   marrow::SetIntArray(surface->GetCellData(), marrow::names::SegmentId, creature.SegmentIds);
+  surface->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
   marrow::SetIdArray(surface->GetPointData(), marrow::names::SkeletonNodeId,
     marrow::NodeOfVertices(creature.KnownSkeleton, mesh.NumberOfVertices()));
 

@@ -13,7 +13,7 @@
  * Output port 0, the surface: one component of consistently outward oriented triangles, a closed
  * 2-manifold whose genus is 0, but 1 for the torus and 3 for the chair. A pose in which limbs would
  * touch is drawn anew, so neither pose nor proportion changes the topology. Arrays:
- * - cells, SegmentId (int): the limb, see below; every segment is connected;
+ * - cells, SegmentId (int): the limb, see below; every segment is connected; the active scalars;
  * - points, SkeletonNodeId (vtkIdType): the point of the skeleton that the vertex belongs to.
  *
  * | shape | segments | terminals of the skeleton |

@@ -42,6 +42,7 @@ int vtkSegmentReader::RequestData(
   }
   output->ShallowCopy(input);
   marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, segments);
+  output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
   return 1;
 }
 

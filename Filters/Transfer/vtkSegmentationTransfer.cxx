@@ -187,6 +187,7 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(inputTarget);
   marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, result.Labels);
+  output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
   WriteBoundaries(result.Boundaries, true, vtkPolyData::GetData(outputVector, 1));
   WriteBoundaries(result.Boundaries, false, vtkPolyData::GetData(outputVector, 2));
