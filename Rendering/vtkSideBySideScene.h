@@ -5,13 +5,17 @@
  *
  * The scene of the examples, tests and documentation. Every mesh fills its tile whatever its units.
  * Labels (integer cell array LabelArrayName) have the colours of vtkLabelColors, so equal labels
- * have equal colours in all tiles; a mesh without them is light blue.
+ * have equal colours in all tiles; a mesh without them is light blue. SetSurfaceArray shows a measure
+ * instead, in the colours of vtkMeasureColors and with a scalar bar.
  *
  * The view is that of the first mesh: its ViewUp points up, and ViewDirection leads from the mesh
  * to the eye. With Align on, every other mesh that shares at least three labels with the first is
  * turned so that its parts stand where the first one's parts stand (least squares over the labels'
  * centroids); so meshes whose files have different up axes need no hand, and a wrong label is seen
- * at once. All other meshes are seen as they are.
+ * at once. Where there are no such labels, matched skeletons (point array CorrespondenceId) with three
+ * ids in common do as well. All other meshes are seen as they are.
+ *
+ * Write the picture (WritePNG, Render), or show the scene in a window of one's own (AddTo).
  *
  * A picture needs an X display (Debian's VTK draws with GLX); see Documentation/testing.md.
  */
@@ -23,8 +27,11 @@
 
 #include <memory>
 
+class vtkActor;
 class vtkImageData;
 class vtkPolyData;
+class vtkRenderWindow;
+class vtkRenderer;
 
 class MARROWRENDERING_EXPORT vtkSideBySideScene : public vtkObject
 {
@@ -34,10 +41,40 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Adds a tile, from left to right and then row by row. `skeleton` and `caption` may be null. The
-   * skeleton is drawn by vtkSkeletonGlyphs; it shows where SurfaceOpacity is less than 1.
+   * Adds a tile, from left to right and then row by row, and returns its index, or -1 with an error
+   * event where there is no mesh. `skeleton` and `caption` may be null. The skeleton is drawn by
+   * vtkSkeletonMapper; it shows where the surface's opacity is less than 1.
    */
-  void AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton = nullptr, const char* caption = nullptr);
+  int AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton = nullptr, const char* caption = nullptr);
+
+  /**
+   * Colours a tile's surface by a point or cell array (a measure) and adds a scalar bar. An error
+   * event tells of a tile or array that does not exist.
+   */
+  void SetSurfaceArray(int tile, const char* arrayName);
+
+  /**
+   * The opacity of one tile's surface in place of SurfaceOpacity, range [0, 1].
+   */
+  void SetTileOpacity(int tile, double opacity);
+
+  /**
+   * Draws polylines on a tile (boundaries, slices) as tubes of a colour; `radius` is a fraction of
+   * the mesh's diagonal.
+   */
+  void AddCurves(
+    int tile, vtkPolyData* curves, double red, double green, double blue, double radius = 0.004);
+
+  /**
+   * Draws whatever else on a tile. The actor stands in the coordinates of the mesh; the scene turns
+   * it with the mesh.
+   */
+  void AddActor(int tile, vtkActor* actor);
+
+  /**
+   * Fills the tile with `part` in place of the whole mesh.
+   */
+  void SetCloseUp(int tile, vtkPolyData* part);
 
   ///@{
   /** Direction that is up in the first mesh. Default (0, 1, 0). */
@@ -79,9 +116,33 @@ public:
   ///@}
 
   ///@{
-  /** What the skeletons' colours tell: vtkSkeletonGlyphs::ColorByEnum. Default NODE_TYPE. */
-  vtkSetClampMacro(ColorSkeletonBy, int, 0, 1);
+  /**
+   * What the skeletons' colours tell: vtkSkeletonGlyphs::ColorByEnum, default NODE_TYPE. For LABEL
+   * the nodes take the label that most of their part of the surface has, where the mesh has the
+   * labels and the point array SkeletonNodeId.
+   */
+  vtkSetClampMacro(ColorSkeletonBy, int, 0, 3);
   vtkGetMacro(ColorSkeletonBy, int);
+  ///@}
+
+  ///@{
+  /**
+   * Lines from the feature nodes of the first skeleton to those of the others that have the same
+   * CorrespondenceId. Default off.
+   */
+  vtkSetMacro(ShowLinks, bool);
+  vtkGetMacro(ShowLinks, bool);
+  vtkBooleanMacro(ShowLinks, bool);
+  ///@}
+
+  ///@{
+  /**
+   * One range of colours for all tiles that show the same array, so that equal colours are equal
+   * values; else each tile has its own. Default off.
+   */
+  vtkSetMacro(ShareRange, bool);
+  vtkGetMacro(ShareRange, bool);
+  vtkBooleanMacro(ShareRange, bool);
   ///@}
 
   ///@{
@@ -105,6 +166,17 @@ public:
   ///@}
 
   /**
+   * Shows the scene in `window`: sets its size, and adds a renderer for each tile. The scene has to
+   * live as long as the window. Returns false, with an error event, when there is no mesh.
+   */
+  bool AddTo(vtkRenderWindow* window);
+
+  /**
+   * The renderer of a tile in the window of the last AddTo, null before.
+   */
+  vtkRenderer* GetRenderer(int tile);
+
+  /**
    * Draws the scene offscreen into `image` (RGB, unsigned char). Returns false, with an error
    * event, when there is no mesh.
    */
@@ -124,8 +196,12 @@ private:
   vtkSideBySideScene(const vtkSideBySideScene&) = delete;
   void operator=(const vtkSideBySideScene&) = delete;
 
-  struct Tiles;
-  std::unique_ptr<Tiles> Internals;
+  struct Content;
+  bool HasTile(int tile);
+  bool Fill(vtkRenderWindow* window, int pixelScale);
+  void GetMeasureRange(int tile, double range[2]) const;
+
+  std::unique_ptr<Content> Internals;
 
   double ViewUp[3] = { 0.0, 1.0, 0.0 };
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
@@ -134,6 +210,8 @@ private:
   bool Align = true;
   double SurfaceOpacity = 1.0;
   int ColorSkeletonBy = 0;
+  bool ShowLinks = false;
+  bool ShareRange = false;
   char* LabelArrayName = nullptr;
   int TileWidth = 400;
   int TileHeight = 400;
