@@ -164,6 +164,11 @@ int vtkSkeletonCorrespondence::RequestData(
   }
 
   marrow::MatchingParameters parameters;
+  parameters.Method = this->Matcher == ELECTORS_VOTING ? marrow::Matcher::ElectorsVoting
+                                                       : marrow::Matcher::CorrespondenceTree;
+  parameters.Voting.CentricityTolerance = this->CentricityTolerance;
+  parameters.Voting.PathTolerance = this->PathTolerance;
+  parameters.Voting.SpatialTolerance = this->SpatialTolerance;
   parameters.Tree.JunctionThreshold = this->JunctionThreshold;
   parameters.Tree.MergeDistance = this->MergeDistance;
   parameters.Tree.ClusterDistance = this->ClusterDistance;
@@ -197,10 +202,16 @@ int vtkSkeletonCorrespondence::RequestData(
 void vtkSkeletonCorrespondence::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "Matcher: " << (this->Matcher == ELECTORS_VOTING ? "ElectorsVoting" : "CorrespondenceTree")
+     << endl;
   os << indent << "LeafIndex: " << this->LeafIndex << endl;
   os << indent << "GlobalSelection: " << this->GlobalSelection << endl;
   os << indent << "JunctionThreshold: " << this->JunctionThreshold << endl;
   os << indent << "MergeDistance: " << this->MergeDistance << endl;
   os << indent << "ClusterDistance: " << this->ClusterDistance << endl;
   os << indent << "DescriptorPieces: " << this->DescriptorPieces << endl;
+  os << indent << "CentricityTolerance: " << this->CentricityTolerance << endl;
+  os << indent << "PathTolerance: " << this->PathTolerance << endl;
+  os << indent << "SpatialTolerance: " << this->SpatialTolerance << endl;
 }

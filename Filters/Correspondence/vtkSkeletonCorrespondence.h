@@ -28,6 +28,16 @@
  * the ring. Several components are matched largest with most alike, each component once, and not
  * refined.
  *
+ * The other matcher, to compare with, is electors voting: O. K.-C. Au, C.-L. Tai, D. Cohen-Or, Y.
+ * Zheng, H. Fu, "Electors voting for fast automatic shape correspondence", Computer Graphics Forum
+ * 29(2), 2010. A search over the terminals and junctions, one to one, prunes every set of pairs that
+ * fails a test of centricity (CentricityTolerance), path lengths (PathTolerance), topology (which
+ * nodes lie between which) or spatial configuration (SpatialTolerance; no reflection). Each set that
+ * survives votes for its pairs, and the set of most votes wins; branches follow from their ends. It
+ * merges no junctions, and leaves more unmatched. The search keeps 1000 sets at a time, looks at 48
+ * nodes of a skeleton at most, those of the longest branches, and relaxes the first two tolerances
+ * where less than half of the nodes would be matched.
+ *
  * Limits: a horn goes to an ear, or a head without a muzzle to an ear, where the target has nothing
  * better; of rotational symmetries (an octopus) any rotation may come out; left and right of bodies
  * whose skeletons are flat are a guess.
@@ -58,15 +68,17 @@
  *
  * Only terminals and junctions have a CorrespondenceId. Several points of one skeleton with one id
  * are a merged group (a terminal may be matched with a junction that carries a pair of twins: a head
- * with what carries two horns), several polylines with one BranchCorrespondenceId a chain of merged branches;
- * polylines inside a merged group have -1. A chain runs on both skeletons from the same
+ * with what carries two horns), several polylines with one BranchCorrespondenceId a chain of merged
+ * branches; polylines inside a merged group have -1. A chain runs on both skeletons from the same
  * CorrespondenceId to the same CorrespondenceId, also where the two are equal (a loop): walk its
  * polylines in their order, backwards where reversed. The fields up to the leaves are the numbers
- * of the paper's Table 3. The confidence is the share of terminals that may be expected to be
- * matched with the same part, judged by GlobalCost as fitted to labelled meshes.
+ * of the paper's Table 3; with electors voting, they are the sets kept, the nodes searched, the pairs
+ * alike in centricity, the junctions that matched chains pass, 0, and the electors. The confidence is
+ * the share of terminals that may be expected to be matched with the same part, judged by GlobalCost
+ * as fitted to labelled meshes.
  *
  * Output port 2: vtkTable, one row per leaf, the best first; row i is what LeafIndex i puts out.
- * Columns GlobalCost, PaperCost (the paper's equation 7), Confidence, SourceCoverage,
+ * Electors voting has one row, the winner. Columns GlobalCost, PaperCost (the paper's equation 7), Confidence, SourceCoverage,
  * TargetCoverage (double; matched length over the skeleton's), Refined (unsigned char; 1 if not of
  * the tree), JunctionPairs, TerminalPairs, BranchPairs, Merges (vtkIdType).
  *
@@ -85,6 +97,25 @@ public:
   static vtkSkeletonCorrespondence* New();
   vtkTypeMacro(vtkSkeletonCorrespondence, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The methods, see above.
+   */
+  enum Matchers
+  {
+    CORRESPONDENCE_TREE = 0,
+    ELECTORS_VOTING = 1
+  };
+
+  ///@{
+  /**
+   * The method. Default CORRESPONDENCE_TREE; ELECTORS_VOTING is there to compare with, see above.
+   */
+  vtkSetClampMacro(Matcher, int, CORRESPONDENCE_TREE, ELECTORS_VOTING);
+  vtkGetMacro(Matcher, int);
+  void SetMatcherToCorrespondenceTree() { this->SetMatcher(CORRESPONDENCE_TREE); }
+  void SetMatcherToElectorsVoting() { this->SetMatcher(ELECTORS_VOTING); }
+  ///@}
 
   ///@{
   /**
@@ -140,6 +171,33 @@ public:
   vtkGetMacro(DescriptorPieces, int);
   ///@}
 
+  ///@{
+  /**
+   * Electors voting: nodes whose AGD differs by more than this do not match. Default 0.3, range
+   * [0, 1].
+   */
+  vtkSetClampMacro(CentricityTolerance, double, 0.0, 1.0);
+  vtkGetMacro(CentricityTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Electors voting: two nodes do not match two others if the paths between them differ in length by
+   * more than this; a fraction of each skeleton's longest path. Default 0.2, range [0, 1].
+   */
+  vtkSetClampMacro(PathTolerance, double, 0.0, 1.0);
+  vtkGetMacro(PathTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Electors voting: nodes do not match together if more than this share of their spread remains after
+   * the best rotation and scale. Default 0.35, range [0, 2].
+   */
+  vtkSetClampMacro(SpatialTolerance, double, 0.0, 2.0);
+  vtkGetMacro(SpatialTolerance, double);
+  ///@}
+
 protected:
   vtkSkeletonCorrespondence();
   ~vtkSkeletonCorrespondence() override = default;
@@ -155,12 +213,16 @@ private:
   vtkSkeletonCorrespondence(const vtkSkeletonCorrespondence&) = delete;
   void operator=(const vtkSkeletonCorrespondence&) = delete;
 
+  int Matcher = CORRESPONDENCE_TREE;
   int LeafIndex = 0;
   bool GlobalSelection = true;
   double JunctionThreshold = 0.02;
   double MergeDistance = 0.075;
   double ClusterDistance = 0.1;
   int DescriptorPieces = 8;
+  double CentricityTolerance = 0.3;
+  double PathTolerance = 0.2;
+  double SpatialTolerance = 0.35;
 };
 
 #endif

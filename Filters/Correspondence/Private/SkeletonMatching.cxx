@@ -38,6 +38,36 @@ SkeletonMatch::Side EmptySide(const Skeleton& skeleton)
   side.BranchReversed.assign(skeleton.NumberOfBranches(), 0);
   return side;
 }
+
+bool GrowLeaves(const FeatureGraph& source, const FeatureGraph& target,
+  const MatchingParameters& parameters, const Progress& progress, std::vector<RatedLeaf>& leaves,
+  TreeStatistics& statistics)
+{
+  CorrespondenceTree tree(source, target, parameters.Tree);
+  if (!tree.Grow(progress))
+  {
+    return false;
+  }
+  leaves = RateLeaves(source, target, tree.GetLeaves(), parameters.GlobalSelection);
+  statistics = tree.GetStatistics();
+  return true;
+}
+
+bool VoteForLeaf(const FeatureGraph& source, const FeatureGraph& target,
+  const MatchingParameters& parameters, const Progress& progress, std::vector<RatedLeaf>& leaves,
+  TreeStatistics& statistics)
+{
+  ElectorsVoting voting(source, target, parameters.Voting);
+  if (!voting.Vote(progress))
+  {
+    return false;
+  }
+  // The global cost would refine the winner, which then were no longer the voters' choice.
+  constexpr bool global = false;
+  leaves = RateLeaves(source, target, { voting.GetMatch() }, global);
+  statistics = voting.GetStatistics();
+  return true;
+}
 }
 
 bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
@@ -45,19 +75,21 @@ bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
 {
   const FeatureGraph sourceGraph(source, parameters.DescriptorPieces);
   const FeatureGraph targetGraph(target, parameters.DescriptorPieces);
-  CorrespondenceTree tree(sourceGraph, targetGraph, parameters.Tree);
-  if (!tree.Grow(SubProgress(progress, 0.0, 0.9)))
+  result = SkeletonMatching();
+  std::vector<RatedLeaf> leaves;
+  const bool done = parameters.Method == Matcher::ElectorsVoting
+    ? VoteForLeaf(sourceGraph, targetGraph, parameters, SubProgress(progress, 0.0, 0.9), leaves,
+        result.Statistics)
+    : GrowLeaves(sourceGraph, targetGraph, parameters, SubProgress(progress, 0.0, 0.9), leaves,
+        result.Statistics);
+  if (!done)
   {
     return false;
   }
-  std::vector<RatedLeaf> leaves =
-    RateLeaves(sourceGraph, targetGraph, tree.GetLeaves(), parameters.GlobalSelection);
   if (leaves.empty())
   {
     leaves.emplace_back();
   }
-  result = SkeletonMatching();
-  result.Statistics = tree.GetStatistics();
   for (const RatedLeaf& leaf : leaves)
   {
     SkeletonMatch match;

@@ -3,14 +3,23 @@
 #define marrow_SkeletonMatching_h
 
 #include "CorrespondenceTree.h"
+#include "ElectorsVoting.h"
 #include "LeafSelection.h"
 
 #include <vector>
 
 namespace marrow
 {
+enum class Matcher
+{
+  CorrespondenceTree,
+  ElectorsVoting
+};
+
 struct MatchingParameters
 {
+  Matcher Method = Matcher::CorrespondenceTree;
+  VotingParameters Voting;
   TreeParameters Tree;
   int DescriptorPieces = 8;
   bool GlobalSelection = true;
@@ -46,7 +55,8 @@ struct SkeletonMatching
   TreeStatistics Statistics;
 };
 
-/// Matches two skeletons with at least one branch each. False if `progress` asked to stop.
+/// Matches two skeletons with at least one branch each. Electors voting has one leaf. False if `progress`
+/// asked to stop.
 bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
   const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress = {});
 }

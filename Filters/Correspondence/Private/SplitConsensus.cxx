@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplitConsensus.h"
 
-#include "BranchAssignment.h"
+#include "BranchCosts.h"
 #include "BranchLikeness.h"
 #include "JunctionCost.h"
 #include "LoopDirection.h"
@@ -235,37 +235,6 @@ void CloseLoops(
         ? DirectLoop(source, target, match, loop.First, loop.Source, loop.Target)
         : loop.Target;
       match.Branches.push_back({ { loop.Source }, { dart }, loop.First, loop.Last });
-    }
-  }
-}
-
-/// C_branch of every matched pair of junctions.
-void AddBranchCosts(
-  FeatureCorrespondence& match, const FeatureGraph& source, const FeatureGraph& target)
-{
-  for (std::size_t i = 0; i < match.Nodes.size(); ++i)
-  {
-    const MatchedNodes& nodes = match.Nodes[i];
-    std::vector<Eigen::Vector3d> p;
-    std::vector<Eigen::Vector3d> q;
-    for (const MatchedBranches& branches : match.Branches)
-    {
-      if (branches.First == static_cast<int>(i))
-      {
-        p.push_back(source.Direction(nodes.Source, branches.Source.front()));
-        q.push_back(target.Direction(nodes.Target, branches.Target.front()));
-      }
-      if (branches.Last == static_cast<int>(i))
-      {
-        p.push_back(source.Direction(nodes.Source, branches.Source.back() ^ 1));
-        q.push_back(target.Direction(nodes.Target, branches.Target.back() ^ 1));
-      }
-    }
-    if (p.size() > 1)
-    {
-      match.BranchCosts.push_back(
-        (StructureCost(source, nodes.Source, target, nodes.Target) + CostEpsilon) *
-        (SpatialCost(p, q) + CostEpsilon));
     }
   }
 }

@@ -87,11 +87,7 @@ void BenchmarkRun::CheckMethod() const
 {
   // Results of two methods must not end in one table.
   const std::string path = this->Options.ResultFolder + "/method.txt";
-  const std::string method = std::string("skeleton ") +
-    (this->Options.Skeleton == SkeletonKind::MSP ? "msp" : "curvature") + ", until " +
-    (this->Options.Until == LastStage::Skeleton
-        ? "skeleton"
-        : (this->Options.Until == LastStage::Correspondence ? "correspondence" : "transfer"));
+  const std::string method = this->Options.Method.Name();
   std::ifstream file(path);
   std::string earlier;
   if (std::getline(file, earlier) && earlier != method)
@@ -144,7 +140,7 @@ void BenchmarkRun::JoinTables()
 std::vector<std::pair<int, int>> BenchmarkRun::MissingPairs(const Category& category) const
 {
   std::vector<std::pair<int, int>> pairs;
-  if (this->Options.Until == LastStage::Skeleton)
+  if (this->Options.Method.Until == LastStage::Skeleton)
   {
     return pairs;
   }
@@ -176,8 +172,8 @@ PreparedCategory BenchmarkRun::Prepare(const Category& category)
   RunJobs(static_cast<int>(own.size()), this->Options.Jobs,
     [&](int i)
     {
-      prepared.Meshes[own[i]] =
-        ComputeSkeleton(this->Options.DataFolder, category.Meshes[own[i]], this->Options.Skeleton);
+      prepared.Meshes[own[i]] = ComputeSkeleton(
+        this->Options.DataFolder, category.Meshes[own[i]], this->Options.Method.Skeleton);
     });
   for (int i = 0; i < size; ++i)
   {
@@ -239,7 +235,7 @@ void BenchmarkRun::MeasurePairs(const Category& category, const PreparedCategory
     {
       std::vector<int> segments;
       Result result = MeasurePair(prepared, pairs[i].first, pairs[i].second,
-        this->Options.Until == LastStage::Transfer, segments);
+        this->Options.Method.Matcher, this->Options.Method.Until == LastStage::Transfer, segments);
       result.Category = category.Name;
       if (!segments.empty())
       {

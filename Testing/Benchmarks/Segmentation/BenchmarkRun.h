@@ -3,6 +3,7 @@
 #define marrow_BenchmarkRun_h
 
 #include "BenchmarkData.h"
+#include "Method.h"
 #include "PairMeasures.h"
 #include "ReferenceFigures.h"
 #include "ResultTable.h"
@@ -17,14 +18,6 @@ namespace marrow::bench
 class ProgressBar;
 class Ranks;
 
-/// Where to stop.
-enum class LastStage
-{
-  Skeleton,
-  Correspondence,
-  Transfer
-};
-
 /// What the command line asks for.
 struct BenchmarkOptions
 {
@@ -33,8 +26,7 @@ struct BenchmarkOptions
   std::vector<std::string> Categories; ///< empty: all
   int MeshesPerCategory = 0;           ///< 0: all
   int Jobs = 1;
-  SkeletonKind Skeleton = SkeletonKind::MSP;
-  LastStage Until = LastStage::Transfer;
+  marrow::bench::Method Method;
   bool Quiet = false;
 };
 

@@ -162,9 +162,9 @@ std::string Errors(const std::vector<Result>& pairs, const std::vector<Result>& 
 }
 }
 
-void WriteHtmlReport(const std::string& path, const std::vector<SummaryRow>& summary,
-  const std::vector<Result>& pairs, const std::vector<Result>& meshes,
-  const std::vector<Picture>& pictures)
+void WriteHtmlReport(const std::string& path, const Method& method,
+  const std::vector<SummaryRow>& summary, const std::vector<Result>& pairs,
+  const std::vector<Result>& meshes, const std::vector<Picture>& pictures)
 {
   std::ofstream html(path);
   html << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -176,7 +176,8 @@ void WriteHtmlReport(const std::string& path, const std::vector<SummaryRow>& sum
        << " meshes: the pieces of one mesh carried to another of its category, all parameters at "
           "their defaults. Rand error and the other errors are means over the human segmentations "
           "of the target; label accuracy is by area. Rows below the line are means over "
-          "categories.</p>\n";
+          "categories.</p>\n<p>Method: "
+       << method.Name() << ".</p>\n";
   html << "<h2>Segments</h2>\n"
        << Table(summary,
             { { "label accuracy", "label_accuracy" }, { "median", "label_accuracy_median" },

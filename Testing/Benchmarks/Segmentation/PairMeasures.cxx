@@ -134,8 +134,8 @@ const std::vector<std::string>& PairColumns()
   return columns;
 }
 
-Result MeasurePair(const PreparedCategory& category, int source, int target, bool transfer,
-  std::vector<int>& segments)
+Result MeasurePair(const PreparedCategory& category, int source, int target, MatcherKind matcher,
+  bool transfer, std::vector<int>& segments)
 {
   const PreparedMesh& sourceMesh = category.Meshes[source];
   const PreparedMesh& targetMesh = category.Meshes[target];
@@ -150,6 +150,9 @@ Result MeasurePair(const PreparedCategory& category, int source, int target, boo
   try
   {
     vtkNew<vtkSkeletonCorrespondence> correspondence;
+    correspondence->SetMatcher(matcher == MatcherKind::Electors
+        ? vtkSkeletonCorrespondence::ELECTORS_VOTING
+        : vtkSkeletonCorrespondence::CORRESPONDENCE_TREE);
     correspondence->SetInputData(0, Copy(sourceMesh.Skeleton));
     correspondence->SetInputData(1, Copy(targetMesh.Skeleton));
     result.Values["seconds_correspondence"] = Run(correspondence);

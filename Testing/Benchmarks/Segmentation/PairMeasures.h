@@ -3,6 +3,7 @@
 #define marrow_PairMeasures_h
 
 #include "FeaturePoints.h"
+#include "Method.h"
 #include "PreparedMesh.h"
 #include "ResultTable.h"
 
@@ -20,9 +21,10 @@ struct PreparedCategory
 const std::vector<std::string>& PairColumns();
 
 /// Matches two meshes, transfers the pieces of the one to the other if `transfer` is on, and measures
-/// everything. `segments` receives the target's segments. An error of a filter goes into the result. Safe on several threads at once.
-Result MeasurePair(const PreparedCategory& category, int source, int target, bool transfer,
-  std::vector<int>& segments);
+/// everything. `segments` receives the target's segments. An error of a filter goes into the result.
+/// Safe on several threads at once.
+Result MeasurePair(const PreparedCategory& category, int source, int target, MatcherKind matcher,
+  bool transfer, std::vector<int>& segments);
 }
 
 #endif

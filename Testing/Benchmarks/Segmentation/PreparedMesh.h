@@ -2,6 +2,7 @@
 #ifndef marrow_PreparedMesh_h
 #define marrow_PreparedMesh_h
 
+#include "Method.h"
 #include "Skeleton.h"
 #include "TriangleMesh.h"
 
@@ -35,12 +36,6 @@ struct PreparedMesh
   double SecondsForField = 0.0;
   double SecondsForSkeleton = 0.0;
   std::string Error; ///< why there is no skeleton; empty if all went well
-};
-
-enum class SkeletonKind
-{
-  MSP,          ///< vtkMSPSkeleton
-  MeanCurvature ///< vtkMeanCurvatureSkeleton
 };
 
 /// Whether the program was built with vtkMeanCurvatureSkeleton.

@@ -75,7 +75,8 @@ void WriteReports(
     }
   }
   const std::vector<SummaryRow> summary = Summarize(names, pairs, meshes, figures);
-  WriteSummary(summary, options.ResultFolder + "/summary.csv");
+  WriteSummary(summary, options.Method, options.ResultFolder + "/summary.csv");
+  std::cout << options.Method.Name() << "\n";
   PrintSummary(summary, std::cout);
   std::vector<Picture> pictures;
   if (CanDraw())
@@ -85,7 +86,8 @@ void WriteReports(
       pictures.emplace_back(pair, DrawThumbnail(options.DataFolder, options.ResultFolder, pair));
     }
   }
-  WriteHtmlReport(options.ResultFolder + "/report.html", summary, pairs, meshes, pictures);
+  WriteHtmlReport(
+    options.ResultFolder + "/report.html", options.Method, summary, pairs, meshes, pictures);
 }
 }
 
@@ -107,7 +109,7 @@ int main(int argc, char** argv)
   app.add_option("--category", options.Categories, "Only these categories");
   const std::map<std::string, SkeletonKind> skeletons = { { "msp", SkeletonKind::MSP },
     { "curvature", SkeletonKind::MeanCurvature } };
-  app.add_option("--skeleton", options.Skeleton, "msp (default), or the peer: curvature")
+  app.add_option("--skeleton", options.Method.Skeleton, "msp (default), or the peer: curvature")
     ->transform(CLI::CheckedTransformer(skeletons))
     ->check(
       [](const std::string& kind)
@@ -117,10 +119,16 @@ int main(int argc, char** argv)
           ? "this program was built without CGAL"
           : "";
       });
+  const std::map<std::string, MatcherKind> matchers = { { "tree", MatcherKind::Tree },
+    { "electors", MatcherKind::Electors } };
+  app
+    .add_option(
+      "--matcher", options.Method.Matcher, "tree (default), or the peer: electors (voting)")
+    ->transform(CLI::CheckedTransformer(matchers));
   const std::map<std::string, LastStage> stages = { { "skeleton", LastStage::Skeleton },
     { "correspondence", LastStage::Correspondence }, { "transfer", LastStage::Transfer } };
   app
-    .add_option("--until", options.Until,
+    .add_option("--until", options.Method.Until,
       "The last stage to measure: skeleton, correspondence or transfer (default)")
     ->transform(CLI::CheckedTransformer(stages));
   app.add_option("--meshes", options.MeshesPerCategory, "Only the first so many of a category")

@@ -206,10 +206,11 @@ std::vector<SummaryRow> Summarize(const std::vector<std::string>& categories,
   return rows;
 }
 
-void WriteSummary(const std::vector<SummaryRow>& rows, const std::string& path)
+void WriteSummary(
+  const std::vector<SummaryRow>& rows, const Method& method, const std::string& path)
 {
   std::ofstream file(path);
-  file << "category";
+  file << "category,skeleton,matcher";
   for (const std::string& column : SummaryColumns())
   {
     file << "," << column;
@@ -217,7 +218,7 @@ void WriteSummary(const std::vector<SummaryRow>& rows, const std::string& path)
   file << "\n" << std::setprecision(4);
   for (const SummaryRow& row : rows)
   {
-    file << row.Name;
+    file << row.Name << "," << method.SkeletonName() << "," << method.MatcherName();
     for (const std::string& column : SummaryColumns())
     {
       file << ",";

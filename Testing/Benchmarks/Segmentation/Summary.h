@@ -2,6 +2,7 @@
 #ifndef marrow_Summary_h
 #define marrow_Summary_h
 
+#include "Method.h"
 #include "ReferenceFigures.h"
 #include "ResultTable.h"
 
@@ -39,7 +40,9 @@ std::vector<SummaryRow> Summarize(const std::vector<std::string>& categories,
   const std::vector<Result>& pairs, const std::vector<Result>& meshes,
   const ReferenceFigures& figures);
 
-void WriteSummary(const std::vector<SummaryRow>& rows, const std::string& path);
+/// Every row names the skeleton and the matcher too, so that tables can be put together.
+void WriteSummary(
+  const std::vector<SummaryRow>& rows, const Method& method, const std::string& path);
 
 /// The most important columns, for a terminal.
 void PrintSummary(const std::vector<SummaryRow>& rows, std::ostream& stream);

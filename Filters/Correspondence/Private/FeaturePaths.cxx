@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeaturePaths.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace marrow
+{
+namespace
+{
+constexpr double Far = std::numeric_limits<double>::infinity();
+}
+
+FeaturePaths::FeaturePaths(const FeatureGraph& graph)
+  : Skeleton(graph)
+{
+  const auto weight = [&](int feature) { return graph.Length(graph.GetFeatures()[feature].Darts); };
+  this->Features.resize(graph.NumberOfFeatures());
+  std::iota(this->Features.begin(), this->Features.end(), 0);
+  if (this->Size() > MaximumFeatures)
+  {
+    std::stable_sort(this->Features.begin(), this->Features.end(),
+      [&](int a, int b) { return weight(a) > weight(b); });
+    this->Features.resize(MaximumFeatures);
+    std::sort(this->Features.begin(), this->Features.end());
+  }
+  this->Lengths.assign(this->Size() * this->Size(), Far);
+  this->Insides.assign(this->Size() * this->Size(), 0);
+  this->Paths.resize(this->Size() * this->Size());
+  for (int from = 0; from < this->Size(); ++from)
+  {
+    this->FindPathsFrom(from);
+  }
+  double longest = 0.0;
+  for (const double length : this->Lengths)
+  {
+    longest = length < Far ? std::max(longest, length) : longest;
+  }
+  for (double& length : this->Lengths)
+  {
+    length /= longest > 0.0 ? longest : 1.0;
+  }
+}
+
+void FeaturePaths::FindPathsFrom(int from)
+{
+  const FeatureGraph& graph = this->Skeleton;
+  using Arrival = std::pair<double, int>;
+  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<Arrival>> open;
+  std::vector<double> distance(graph.NumberOfFeatures(), Far);
+  std::vector<int> dartTo(graph.NumberOfFeatures(), -1);
+  distance[this->Features[from]] = 0.0;
+  open.emplace(0.0, this->Features[from]);
+  while (!open.empty())
+  {
+    const auto [d, feature] = open.top();
+    open.pop();
+    if (d > distance[feature])
+    {
+      continue;
+    }
+    for (const int dart : graph.GetFeatures()[feature].Darts)
+    {
+      const int head = graph.Head(dart);
+      const double next = d + graph.Length(dart / 2);
+      if (next < distance[head])
+      {
+        distance[head] = next;
+        dartTo[head] = dart;
+        open.emplace(next, head);
+      }
+    }
+  }
+  std::vector<int> number(graph.NumberOfFeatures(), -1);
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    number[this->Features[i]] = i;
+  }
+  for (int to = 0; to < this->Size(); ++to)
+  {
+    const int entry = from * this->Size() + to;
+    this->Lengths[entry] = distance[this->Features[to]];
+    std::vector<int>& path = this->Paths[entry];
+    for (int dart = dartTo[this->Features[to]]; dart >= 0; dart = dartTo[graph.Origin(dart)])
+    {
+      path.push_back(dart);
+      const int inside = number[graph.Origin(dart)];
+      if (inside >= 0 && inside != from)
+      {
+        this->Insides[entry] |= Mask(1) << inside;
+      }
+    }
+    std::reverse(path.begin(), path.end());
+  }
+}
+}
