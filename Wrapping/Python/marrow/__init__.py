@@ -1,2 +1,53 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Skeleton-driven segmentation transfer; the VTK classes are in marrow.vtk."""
+"""Marrow: carries the segments of one triangle mesh to others of its kind, by their skeletons.
+
+    import marrow
+    camel = marrow.read("camel.off", segments="camel.seg")
+    cow = marrow.transfer(camel, marrow.read("cow.off"))
+    cow.segments                              # (m,) int, one per face; cow.polydata is the mesh
+    marrow.render(camel, cow, path="animals.png")
+
+A mesh is a vtkPolyData (of a subclass too, as pyvista's), a marrow.Mesh, or a pair (points, faces) of
+arrays of the shapes (n, 3), float, and (m, 3), int. It is never changed. What comes out has the
+vtkPolyData with all arrays, and numpy's read-only views on them.
+
+Functions: measure, skeleton, mean_curvature_skeleton, correspond, transfer, evaluate, render, read,
+write, creature. Their keyword arguments are the parameters of the VTK classes, in marrow.vtk; what is
+not given, or None, has the default of the class. Lengths among them are ratios, so units do not
+matter. Errors are marrow.Error, warnings marrow.MarrowWarning; Ctrl-C stops a computation.
+"""
+from ._correspondence import Correspondence, Match, correspond
+from ._creature import creature
+from ._evaluation import Evaluation, evaluate
+from ._files import read, write
+from ._measures import Measures, measure
+from ._mesh import Mesh, MeshLike
+from ._messages import Error, MarrowWarning
+from ._picture import render
+from ._skeleton import NodeType, Skeleton, mean_curvature_skeleton, skeleton
+from ._transfer import Boundaries, Transfer, transfer
+
+__all__ = [
+    "Boundaries",
+    "Correspondence",
+    "Error",
+    "Evaluation",
+    "MarrowWarning",
+    "Match",
+    "Measures",
+    "Mesh",
+    "MeshLike",
+    "NodeType",
+    "Skeleton",
+    "Transfer",
+    "correspond",
+    "creature",
+    "evaluate",
+    "mean_curvature_skeleton",
+    "measure",
+    "read",
+    "render",
+    "skeleton",
+    "transfer",
+    "write",
+]

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK's arrays seen by numpy, and numpy's given to VTK."""
+from __future__ import annotations
+
+from typing import Any, List
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import (
+    get_vtk_array_type,
+    numpy_to_vtk,
+    numpy_to_vtkIdTypeArray,
+    vtk_to_numpy,
+)
+from vtkmodules.vtkCommonCore import vtkAbstractArray, vtkDataArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkFieldData, vtkPolyData
+
+from ._messages import Error
+
+Array = NDArray[Any]
+
+
+def view(array: vtkAbstractArray) -> Array:
+    """The array's own memory. Filters share arrays between input and output, so nobody may write."""
+    values = vtk_to_numpy(array)
+    values.flags.writeable = False
+    return values
+
+
+def named(data: vtkFieldData, name: str) -> Array:
+    """A view on the array of that name, which must be there."""
+    array = data.GetAbstractArray(name)
+    if array is None:
+        have = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+        raise Error(f"there is no array {name!r}; there are {', '.join(map(repr, have)) or 'none'}.")
+    return view(array)
+
+
+def points_of(polydata: vtkPolyData) -> Array:
+    points = polydata.GetPoints()
+    return view(points.GetData()) if points is not None else np.empty((0, 3))
+
+
+def triangles_of(polydata: vtkPolyData) -> Array:
+    polygons = polydata.GetPolys()
+    count = polygons.GetNumberOfCells()
+    if count == 0:
+        return np.empty((0, 3), dtype=np.int64)
+    if count != polydata.GetNumberOfCells() or polygons.IsHomogeneous() != 3:
+        raise Error("the mesh has cells other than triangles: use vtkTriangleFilter.")
+    return view(polygons.GetConnectivityArray()).reshape(-1, 3)
+
+
+def lines_of(polydata: vtkPolyData) -> List[Array]:
+    """Per polyline the indices of its points."""
+    lines = polydata.GetLines()
+    if lines.GetNumberOfCells() == 0:
+        return []
+    offsets = view(lines.GetOffsetsArray())
+    return np.split(view(lines.GetConnectivityArray()), offsets[1:-1])
+
+
+def to_vtk(values: ArrayLike, name: str) -> vtkDataArray:
+    """A copy as an array of VTK's."""
+    array = np.ascontiguousarray(values)
+    if array.dtype == bool:
+        array = array.astype(np.uint8)
+    try:
+        kind = get_vtk_array_type(array.dtype)
+    except TypeError:
+        raise TypeError(f"{name}: values of type {array.dtype} are no numbers") from None
+    copy = numpy_to_vtk(array, deep=True, array_type=kind)
+    copy.SetName(name)
+    return copy
+
+
+def polydata_from(points: ArrayLike, faces: ArrayLike) -> vtkPolyData:
+    """The mesh of points (n, 3) and triangles (m, 3), copied."""
+    corners, triangles = np.asarray(points), np.asarray(faces)
+    if corners.ndim != 2 or corners.shape[1] != 3:
+        raise Error(f"points must have the shape (n, 3), not {corners.shape}.")
+    if triangles.ndim != 2 or triangles.shape[1] != 3:
+        raise Error(f"faces must have the shape (m, 3), not {triangles.shape}.")
+    if not np.issubdtype(triangles.dtype, np.integer):
+        raise TypeError(f"faces must be integers, not {triangles.dtype}")
+    if corners.dtype != np.float32:
+        corners = corners.astype(np.float64)
+    wrong = ((triangles < 0) | (triangles >= len(corners))).any(axis=1)
+    if wrong.any():
+        raise Error(
+            f"{wrong.sum()} faces name a point that does not exist, the first is face "
+            f"{wrong.argmax()}: indices run from 0 to {len(corners) - 1}."
+        )
+    vtk_points = vtkPoints()
+    vtk_points.SetData(to_vtk(corners, "Points"))
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtkIdTypeArray(
+        np.ascontiguousarray(triangles, dtype=np.int64).ravel(), deep=True))
+    polydata = vtkPolyData()
+    polydata.SetPoints(vtk_points)
+    polydata.SetPolys(cells)
+    return polydata

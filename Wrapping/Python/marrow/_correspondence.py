@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""marrow.correspond: vtkSkeletonCorrespondence."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Dict, List, NamedTuple, Optional, TypedDict, Union, Unpack
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkTable
+
+from ._arrays import Array, named, view
+from ._mesh import MeshLike
+from ._parameters import set_parameters
+from ._progress import ProgressCallback, Watch
+from ._run import polydata_output, run
+from ._skeleton import Skeleton, skeleton_of
+from .vtk import vtkSkeletonCorrespondence
+
+
+class Match(NamedTuple):
+    """The same part on both sides; several indices where nodes or branches were merged."""
+
+    id: int
+    """CorrespondenceId or BranchCorrespondenceId of the data contract."""
+    source: Array
+    """Indices on the source: of nodes, or of branches in the order of their chain."""
+    target: Array
+    """Indices on the target."""
+
+
+@dataclass(frozen=True, eq=False)
+class Correspondence:
+    """Which parts of two skeletons are the same: what marrow.correspond returns."""
+
+    source: Skeleton
+    """The source's skeleton; its polydata has the correspondence's arrays."""
+
+    target: Skeleton
+    """The target's."""
+
+    table: vtkTable
+    """One row per answer that was found, the best first."""
+
+    @property
+    def nodes(self) -> List[Match]:
+        """Matched terminals and junctions."""
+        source, target = (
+            named(side.polydata.GetPointData(), "CorrespondenceId")
+            for side in (self.source, self.target)
+        )
+        return [
+            Match(int(number), np.flatnonzero(source == number), np.flatnonzero(target == number))
+            for number in np.unique(source[source >= 0])
+        ]
+
+    @property
+    def branches(self) -> List[Match]:
+        """Matched branches."""
+        ids, order = (
+            [named(side.polydata.GetCellData(), name) for side in (self.source, self.target)]
+            for name in ("BranchCorrespondenceId", "BranchCorrespondenceOrder")
+        )
+
+        def chain(side: int, number: int) -> Array:
+            members = np.flatnonzero(ids[side] == number)
+            return members[np.argsort(order[side][members])]
+
+        return [
+            Match(int(number), chain(0, number), chain(1, number))
+            for number in np.unique(ids[0][ids[0] >= 0])
+        ]
+
+    @property
+    def confidence(self) -> float:
+        """The share of terminals that may be expected to be matched with the same part, 0 to 1."""
+        fields = self.source.polydata.GetFieldData()
+        return float(named(fields, "CorrespondenceConfidence")[0])
+
+    @property
+    def answers(self) -> Dict[str, Array]:
+        """The table's columns; row i is what leaf_index=i gives."""
+        rows = self.table.GetRowData()
+        return {
+            rows.GetArrayName(i): view(rows.GetAbstractArray(i))
+            for i in range(rows.GetNumberOfArrays())
+        }
+
+
+class CorrespondenceParameters(TypedDict, total=False):
+    leaf_index: Optional[int]
+    global_selection: Optional[bool]
+    junction_threshold: Optional[float]
+    merge_distance: Optional[float]
+    cluster_distance: Optional[float]
+    descriptor_pieces: Optional[int]
+
+
+def correspond(
+    source: Union[MeshLike, Skeleton],
+    target: Union[MeshLike, Skeleton],
+    *,
+    progress: Optional[ProgressCallback] = None,
+    progress_bar: bool = False,
+    **parameters: Unpack[CorrespondenceParameters],
+) -> Correspondence:
+    """Which nodes and branches of two skeletons are the same parts.
+
+    Parameters
+    ----------
+    source, target
+        Skeletons; of meshes, the skeletons are computed by the defaults of marrow.skeleton.
+    leaf_index : int, 0 or more
+        Which answer to give; 0 is the best.
+    global_selection : bool
+        Judge the answers by the whole skeletons, or by the junctions only, as the paper does.
+    junction_threshold : float, 0 to 1
+        Junctions match at once up to this cost.
+    merge_distance : float, 0 to 1
+        Junctions no further apart may be merged; over the diagonal of the bounding box.
+    cluster_distance : float, 0 to 10
+        Branches of a junction are alike up to this difference of their thickness.
+    descriptor_pieces : int, 1 to 256
+        In how many pieces the thickness along a branch is described.
+    progress, progress_bar
+        A function that is called with the fraction done; a bar on stderr.
+
+    Raises Error if a mesh or skeleton cannot be used; the class vtkSkeletonCorrespondence says the
+    rest.
+
+    >>> import marrow
+    >>> pair = marrow.correspond(marrow.creature("biped"), marrow.creature("biped", pose=0.5, seed=7))
+    >>> len([match for match in pair.nodes if match.source[0] in pair.source.terminals])
+    5
+    """
+    algorithm = vtkSkeletonCorrespondence()
+    set_parameters(algorithm, correspond, CorrespondenceParameters, parameters)
+    with Watch("correspond", progress, progress_bar) as watch:
+        sides = (
+            skeleton_of(source, "correspond: source", watch, 0.0, 0.45),
+            skeleton_of(target, "correspond: target", watch, 0.45, 0.9),
+        )
+        for port, side in enumerate(sides):
+            algorithm.SetInputData(port, side.polydata)
+        run(algorithm, "correspond", watch, 0.9, 1.0)
+    table = vtkTable()
+    table.ShallowCopy(algorithm.GetOutputDataObject(2))
+    matched = [Skeleton(polydata_output(algorithm, i), side.mesh) for i, side in enumerate(sides)]
+    return Correspondence(matched[0], matched[1], table)

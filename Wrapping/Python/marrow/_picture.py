@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""marrow.render: vtkSideBySideScene."""
+from __future__ import annotations
+
+import os
+import sys
+from typing import Literal, Optional, Sequence, TypedDict, Union, Unpack
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+from . import vtk
+from ._arrays import Array, view
+from ._files import Path
+from ._mesh import MeshLike, polydata_of
+from ._messages import Error, collected_messages
+from ._parameters import set_parameters
+from ._skeleton import Skeleton
+
+_OPACITY_ROUND_SKELETONS = 0.3
+
+
+class SceneParameters(TypedDict, total=False):
+    view_up: Optional[Sequence[float]]
+    view_direction: Optional[Sequence[float]]
+    azimuth: Optional[float]
+    elevation: Optional[float]
+    align: Optional[bool]
+    surface_opacity: Optional[float]
+    show_links: Optional[bool]
+    share_range: Optional[bool]
+    label_array_name: Optional[str]
+    tile_width: Optional[int]
+    tile_height: Optional[int]
+    columns: Optional[int]
+
+
+def render(
+    *meshes: Union[MeshLike, Skeleton],
+    path: Optional[Path] = None,
+    captions: Optional[Sequence[str]] = None,
+    surface_array: Optional[str] = None,
+    color_skeleton_by: Optional[Literal["node_type", "correspondence", "branch", "label"]] = None,
+    **parameters: Unpack[SceneParameters],
+) -> Array:
+    """Draws meshes side by side, seen from the same side; equal segments have equal colours.
+
+    Returns the picture, (height, width, 3) uint8, the top row first. Needs an X display.
+
+    Parameters
+    ----------
+    meshes
+        Meshes, coloured by their segments; a skeleton is drawn inside of its transparent mesh.
+    path
+        A file .png to be written too.
+    captions : one str per mesh
+    surface_array : str
+        Name of an array to colour the surfaces by, with a scalar bar: "MSP", "SegmentConfidence".
+    color_skeleton_by : "node_type", "correspondence", "branch" or "label"
+        What the skeletons' colours tell.
+    show_links : bool
+        Lines between the matched nodes of the first skeleton and the others.
+    share_range : bool
+        One range of colours for all, so that equal colours are equal values.
+    view_up, view_direction : 3 floats
+        What is up in the first mesh; from where it is seen (its broad side, if not given).
+    azimuth, elevation : float, degrees
+        Turn of the eye to the side and upwards.
+    align : bool
+        Turn the other meshes to stand like the first.
+    surface_opacity : float, 0 to 1
+    label_array_name : str
+        Name of the cell array with the segments.
+    tile_width, tile_height : int, 16 to 4096, pixels
+    columns : int
+        Meshes in a row; 0: all.
+
+    >>> import marrow
+    >>> marrow.render(marrow.creature("snake"), tile_width=320, tile_height=200).shape
+    (200, 320, 3)
+    """
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        # VTK would end the process.
+        raise Error(
+            "render: there is no X display to draw with: set DISPLAY, or put 'xvfb-run -a -s "
+            "\"-screen 0 1280x1024x24 -noreset\"' before the command."
+        )
+    if captions is not None and len(captions) != len(meshes):
+        raise Error(f"render: there are {len(captions)} captions for {len(meshes)} meshes.")
+    scene = vtk.vtkSideBySideScene()
+    set_parameters(scene, render, SceneParameters, parameters)
+    if color_skeleton_by is not None:
+        scene.SetColorSkeletonBy(_color_by(color_skeleton_by))
+    if parameters.get("surface_opacity") is None:
+        if any(isinstance(mesh, Skeleton) for mesh in meshes):
+            scene.SetSurfaceOpacity(_OPACITY_ROUND_SKELETONS)
+    image = vtkImageData()
+    with collected_messages("render"):
+        for i, mesh in enumerate(meshes):
+            skeleton = mesh.polydata if isinstance(mesh, Skeleton) else None
+            surface = polydata_of(mesh.mesh if isinstance(mesh, Skeleton) else mesh)
+            tile = scene.AddMesh(surface, skeleton, captions[i] if captions is not None else None)
+            if surface_array is not None and tile >= 0:
+                scene.SetSurfaceArray(tile, surface_array)
+        scene.Render(image)
+    if path is not None:
+        _write_png(image, os.fspath(path))
+    width, height, _ = image.GetDimensions()
+    pixels = view(image.GetPointData().GetScalars()).reshape(height, width, 3)
+    return np.flipud(pixels).copy()
+
+
+def _color_by(name: str) -> int:
+    choices = [key.lower() for key in vars(vtk.vtkSkeletonGlyphs) if key.isupper()]
+    if name not in choices:
+        raise Error(
+            f"color_skeleton_by must be one of {', '.join(map(repr, choices))}, not {name!r}.")
+    return int(getattr(vtk.vtkSkeletonGlyphs, name.upper()))
+
+
+def _write_png(image: vtkImageData, name: str) -> None:
+    if not name.lower().endswith(".png"):
+        raise Error(f"{name}: the name must end in .png.")
+    with open(name, "ab"):
+        pass  # Python's exception says better than VTK why a file cannot be written.
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(name)
+    with collected_messages(name):
+        writer.Write()
