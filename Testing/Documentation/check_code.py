@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Code in the pages is code of the project: C++ and Python are contained in files that are built or
+run, shell commands name what exists.
+
+    check_code.py PROJECT_FOLDER
+
+The marrow commands are run by run_commands.py.
+"""
+import json
+import os
+import re
+import shlex
+import sys
+
+from pages import find_files, finish, read, read_pages
+
+# Where code of a language must be found, word for word.
+SOURCES = {
+    "cpp": ([".cxx", ".h"], ["Examples/", "Testing/Consumer/"]),
+    "python": ([".py"], ["Examples/", "Testing/"]),
+    "cmake": (["CMakeLists.txt", ".cmake"], ["Examples/", "Testing/Consumer/"]),
+}
+# Programs of the system that the pages may call.
+PROGRAMS = {
+    "apt-get", "cd", "cmake", "convert", "ctest", "export", "marrow", "mpiexec", "paraview", "pvbatch",
+    "pvpython", "xvfb-run",
+}
+
+
+def plain(code):
+    """Without indentation, empty lines and the ends of lines: an excerpt may be set differently."""
+    return "\n".join(line.strip() for line in code.splitlines() if line.strip())
+
+
+def holds(content, code, language):
+    """Whether a file has the code; of CMake, which has no order worth a test, its lines."""
+    if language == "cmake":
+        return set(code.splitlines()) <= set(content.splitlines())
+    return code in content
+
+
+class ShellCheck:
+    def __init__(self, root):
+        self.root = root
+        presets = json.loads(read(root, "CMakePresets.json"))
+        self.presets = {preset["name"] for kind in presets if kind.endswith("Presets")
+                        for preset in presets[kind]}
+        self.targets = {"all", "install"}
+        for path in find_files(root, "CMakeLists.txt"):
+            self.targets.update(re.findall(
+                r"add_(?:executable|custom_target|library)\(\s*([\w-]+)", read(root, path)))
+
+    def errors_of(self, command):
+        """Sentences about one command, split in words."""
+        while command and re.fullmatch(r"\w+=.*", command[0]):
+            command = command[1:]  # a variable set for the command
+        if not command:
+            return
+        program = command[0]
+        if re.match(r"\.?/?build[\w-]*/bin/", program):
+            if os.path.basename(program) not in self.targets:
+                yield f"nothing builds {program}"
+        elif "/" in program and not program.startswith("/"):
+            path = os.path.join(self.root, program)
+            if not os.access(path, os.X_OK) or os.path.isdir(path):
+                yield f"{program} is no program of the project"
+        elif os.path.basename(program) not in PROGRAMS | {"python3"}:
+            yield f"{program} is not among the programs that the pages may call"
+        if program == "cmake":
+            for option, values, kind in (("--preset", self.presets, "preset"),
+                                         ("--target", self.targets, "target")):
+                for before, value in zip(command, command[1:]):
+                    if before == option and value not in values:
+                        yield f"there is no {kind} {value}"
+
+
+def commands_of(code):
+    """The commands of a block, as lists of words; a pipe or && ends a command."""
+    text = code.replace("\\\n", " ")
+    for line in text.splitlines():
+        lexer = shlex.shlex(line, posix=True, punctuation_chars="|&;<>")
+        lexer.whitespace_split = True
+        lexer.commenters = "#"
+        command = []
+        for word in lexer:
+            if word in ("|", "&&", "||", ";"):
+                yield command
+                command = []
+            else:
+                command.append(word)
+        if command:
+            yield command
+
+
+def main(root):
+    shell = ShellCheck(root)
+    contents = {}
+    for language, (endings, folders) in SOURCES.items():
+        contents[language] = [plain(read(root, path)) for path in find_files(root, *endings)
+                              if path.startswith(tuple(folders))]
+    errors = []
+    count = 0
+    for path, page in read_pages(root).items():
+        for number, language, code in page.blocks:
+            count += 1
+            where = f"{path}:{number}"
+            if language in SOURCES:
+                if not any(holds(content, plain(code), language) for content in contents[language]):
+                    errors.append(f"{where}: no file in {' or '.join(SOURCES[language][1])} has this "
+                                  f"{language} code.")
+            elif language == "sh":
+                for command in commands_of(code):
+                    errors.extend(f"{where}: {error}." for error in shell.errors_of(command))
+            elif language not in ("text", "json"):
+                errors.append(f"{where}: what language is this? (sh, cpp, cmake, python, json, text)")
+    finish(errors, f"{count} blocks of code")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
