@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LabelColorMaps.h"
+
+#include <vtkIdTypeArray.h>
+#include <vtkLabelColors.h>
+#include <vtkSMSettings.h>
+
+#include <sstream>
+#include <string>
+
+namespace
+{
+/// More segments than that are not told apart by colour anyway; ParaView gives those its own.
+constexpr int LastLabel = 95;
+/// Below ParaView's site and user settings, above its built-in ones.
+constexpr double Priority = 0.5;
+
+/// A colour map in the form of ParaView's settings. Only the labels that are there appear in the
+/// legend, but each keeps its colour whatever else is there.
+std::string LabelColorMap()
+{
+  std::ostringstream annotations;
+  std::ostringstream colors;
+  for (int label = -1; label <= LastLabel; ++label)
+  {
+    double rgb[3];
+    vtkLabelColors::GetColor(label, rgb);
+    const char* separator = label < 0 ? "" : ", ";
+    annotations << separator << '"' << label << "\", \"" << (label < 0 ? "none" : "")
+                << (label < 0 ? "" : std::to_string(label)) << '"';
+    colors << separator << rgb[0] << ", " << rgb[1] << ", " << rgb[2];
+  }
+  return "{ \"PVLookupTable\": { \"IndexedLookup\": 1,"
+         " \"ShowCategoricalColorsinDataRangeOnly\": 1, \"Annotations\": [" +
+    annotations.str() + "], \"IndexedColors\": [" + colors.str() + "] } }";
+}
+}
+
+void RegisterLabelColorMaps()
+{
+  std::string settings = "{ \"array_lookup_tables\": {";
+  const char* separator = " ";
+  for (const char* array :
+    { "SegmentId", "FirstSegmentId", "SecondSegmentId", "CorrespondenceId",
+      "BranchCorrespondenceId" })
+  {
+    settings += separator + ("\"" + std::string(array) + "\": ") + LabelColorMap();
+    separator = ", ";
+  }
+  settings += " } }";
+  vtkSMSettings::GetInstance()->AddCollectionFromString(settings, Priority);
+}
