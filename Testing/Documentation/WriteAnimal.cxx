@@ -16,7 +16,7 @@ int main(int argc, char* argv[])
   }
   vtkNew<vtkCreatureSource> creature;
   creature->SetShapeToQuadruped();
-  creature->SetResolution(5000);
+  creature->SetResolution(4000);
   creature->Update();
   vtkPolyData* mesh = creature->GetOutput();
 

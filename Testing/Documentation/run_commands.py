@@ -21,16 +21,20 @@ from pages import finish, read_pages
 MESHES = ["bull.off", "camel.off", "cow.off", "meshes/camel.off", "meshes/dino.off"]
 SEGMENTS = ["animals/camel.seg", "by-hand.seg", "camel.seg", "cow.seg", "cow_by_hand.seg",
             "human_0.seg", "human_1.seg", "human_2.seg", "truth.seg"]
+# Makes what the examples of some subcommands read.
+LABELLED = ["marrow transfer camel.off cow.off bull.off --segments camel.seg --skeletons -o .",
+            "marrow transfer cow.off camel.off --segments cow.seg -o camel.vtp"]
 
 
 def prepare(folder, write_animal):
     shutil.rmtree(folder, ignore_errors=True)
-    for name in MESHES + SEGMENTS:
-        os.makedirs(os.path.join(folder, os.path.dirname(name)), exist_ok=True)
+    os.makedirs(folder)
     # All are the same creature, so any segments fit any mesh.
     subprocess.run([write_animal, "animal.off", "animal.seg"], cwd=folder, check=True)
     for name in MESHES + SEGMENTS:
-        shutil.copy(os.path.join(folder, "animal" + name[-4:]), os.path.join(folder, name))
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        shutil.copy(os.path.join(folder, "animal" + name[-4:]), path)
 
 
 def commands_of_pages(root):
@@ -44,26 +48,24 @@ def commands_of_pages(root):
 
 
 def commands_of_help(marrow):
-    # Each subcommand's examples stand alone, so what they draw is made first.
-    found = [("run_commands.py", shlex.split("marrow transfer camel.off cow.off bull.off "
-                                             "--segments camel.seg --skeletons -o ."))]
     overview = subprocess.run([marrow, "--help"], capture_output=True, text=True, check=True).stdout
     for name in re.findall(r"^  (\w+) ", overview.split("Subcommands:")[1], re.M):
         text = subprocess.run([marrow, name, "--help"], capture_output=True, text=True,
                               check=True).stdout
-        found += [(f"marrow {name} --help", shlex.split(line))
-                  for line in re.findall(r"^  (marrow .*)$", text, re.M)]
-    return "help", found
+        # Each subcommand's examples stand alone: what they read is made first.
+        yield "help " + name, [(f"marrow {name} --help", shlex.split(command)) for command in [
+            *(LABELLED if name in ("evaluate", "render") else []), *re.findall(r"^  (marrow .*)$", text, re.M)]]
 
 
 def main(root, marrow, write_animal, work):
     errors = []
     count = 0
-    for name, commands in [*commands_of_pages(root), commands_of_help(marrow)]:
+    prepare(work, write_animal)
+    for name, commands in [*commands_of_pages(root), *commands_of_help(marrow)]:
         if not commands:
             continue
-        folder = os.path.join(work, re.sub(r"\W", "_", name))
-        prepare(folder, write_animal)
+        folder = os.path.join(work, "run", re.sub(r"\W", "_", name))
+        shutil.copytree(work, folder, ignore=shutil.ignore_patterns("run"))
         for where, command in commands:
             count += 1
             run = subprocess.run([marrow, *command[1:]], cwd=folder, capture_output=True, text=True)
