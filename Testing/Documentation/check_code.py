@@ -17,7 +17,7 @@ from pages import find_files, finish, read, read_pages
 
 # Where code of a language must be found, word for word.
 SOURCES = {
-    "cpp": ([".cxx", ".h"], ["Examples/", "Testing/Consumer/"]),
+    "cpp": ([".cxx", ".h"], ["Examples/", "Testing/Documentation/"]),
     "python": ([".py"], ["Examples/", "Testing/"]),
     "cmake": (["CMakeLists.txt", ".cmake"], ["Examples/", "Testing/Consumer/"]),
 }
