@@ -10,13 +10,14 @@
 
 namespace
 {
-/// More segments than that are not told apart by colour anyway; ParaView gives those its own.
+/// Beyond it labels are grey.
 constexpr int LastLabel = 95;
 /// Below ParaView's site and user settings, above its built-in ones.
 constexpr double Priority = 0.5;
 
 /// A colour map in the form of ParaView's settings. Only the labels that are there appear in the
-/// legend, but each keeps its colour whatever else is there.
+/// legend, but each keeps its colour whatever else is there. ParaView looks for at most 32 different
+/// values; where there are more, all have the NaN colour, here the grey of what has no label.
 std::string LabelColorMap()
 {
   std::ostringstream annotations;
@@ -31,7 +32,7 @@ std::string LabelColorMap()
     colors << separator << rgb[0] << ", " << rgb[1] << ", " << rgb[2];
   }
   return "{ \"PVLookupTable\": { \"IndexedLookup\": 1,"
-         " \"ShowCategoricalColorsinDataRangeOnly\": 1, \"Annotations\": [" +
+         " \"ShowIndexedColorActiveValues\": 1, \"NanColor\": [0.8, 0.8, 0.8], \"Annotations\": [" +
     annotations.str() + "], \"IndexedColors\": [" + colors.str() + "] } }";
 }
 }
@@ -40,9 +41,8 @@ void RegisterLabelColorMaps()
 {
   std::string settings = "{ \"array_lookup_tables\": {";
   const char* separator = " ";
-  for (const char* array :
-    { "SegmentId", "FirstSegmentId", "SecondSegmentId", "CorrespondenceId",
-      "BranchCorrespondenceId" })
+  for (const char* array : { "SegmentId", "FirstSegmentId", "SecondSegmentId", "CorrespondenceId",
+         "BranchCorrespondenceId" })
   {
     settings += separator + ("\"" + std::string(array) + "\": ") + LabelColorMap();
     separator = ", ";
