@@ -21,8 +21,6 @@ namespace marrow
 {
 namespace
 {
-constexpr double Opacity = 0.7;
-
 vtkDataArray* IdsOf(const SceneTile& tile)
 {
   return tile.Skeleton ? tile.Skeleton->GetPointData()->GetArray(names::CorrespondenceId) : nullptr;
@@ -81,7 +79,6 @@ void SceneLinks::AddTo(vtkRenderWindow* window, double lineWidth)
   actor->SetMapper(mapper);
   actor->PickableOff();
   actor->GetProperty()->SetLineWidth(static_cast<float>(lineWidth));
-  actor->GetProperty()->SetOpacity(Opacity);
   actor->GetProperty()->LightingOff();
 
   this->Overlay = vtkSmartPointer<vtkRenderer>::New();

@@ -274,6 +274,27 @@ TEST_F(MarrowCommand, RenderWritesAPictureOfTheTilesSize)
     "render one.vtp --skeletons one.vtp two.vtp -o picture.png", "there are 2 for 1 meshes");
 }
 
+TEST_F(MarrowCommand, RenderShowsMeasuresAndMatches)
+{
+  this->WriteOFF(Creature(1), "one.off");
+  this->WriteOFF(Creature(2), "two.off");
+  this->ExpectSuccess("measure one.off -o one.vtp");
+  this->ExpectSuccess("render one.vtp --color-by AGD MSP --tile 60 40 -o measures.png");
+  this->ExpectSuccess("correspond one.off two.off -o pairs.csv --skeletons first.vtp second.vtp");
+  EXPECT_TRUE(this->Read("first.vtp")->GetPointData()->HasArray("CorrespondenceId"));
+  this->ExpectSuccess(
+    "render one.off two.off --skeletons first.vtp second.vtp --matches --tile 60 40 -o matches.png");
+  for (const char* name : { "measures.png", "matches.png" })
+  {
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName((this->Folder / name).c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], 120) << name;
+  }
+  this->ExpectError("render one.vtp --color-by Absent -o out.png", "array Absent");
+  this->ExpectError("render one.vtp --matches -o out.png", "--matches");
+}
+
 TEST_F(MarrowCommand, ErrorsOfArgumentsAndFilesAreOneSentence)
 {
   const vtkSmartPointer<vtkPolyData> mesh = Creature(1);

@@ -4,6 +4,7 @@
 
 #include <vtkCellData.h>
 #include <vtkCreatureSource.h>
+#include <vtkMSPField.h>
 #include <vtkMSPSkeleton.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
@@ -47,6 +48,20 @@ vtkSmartPointer<vtkImageData> Draw(vtkSideBySideScene* scene)
   return image;
 }
 
+/// The measures on the creature, with their scalar bars.
+vtkSmartPointer<vtkImageData> DrawMeasures(int shape)
+{
+  vtkNew<vtkMSPField> measures;
+  measures->SetInputData(Creature(shape, 1));
+  measures->Update();
+  vtkNew<vtkSideBySideScene> scene;
+  for (const char* name : { "AGD", "MSP", "MSPGradient" })
+  {
+    scene->SetSurfaceArray(scene->AddMesh(measures->GetOutput()), name);
+  }
+  return Draw(scene);
+}
+
 /// The skeleton inside of the creature.
 vtkSmartPointer<vtkImageData> DrawSkeleton(int shape)
 {
@@ -73,6 +88,7 @@ vtkSmartPointer<vtkImageData> DrawCorrespondence(int shape)
   vtkNew<vtkSideBySideScene> scene;
   scene->SetSurfaceOpacity(0.15);
   scene->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+  scene->ShowLinksOn();
   for (int i = 0; i < 2; ++i)
   {
     scene->AddMesh(meshes[i], vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(i)));
@@ -98,6 +114,7 @@ vtkSmartPointer<vtkImageData> DrawTransfer(int shape)
 // Runs on one machine give the same bits (error 0). The thresholds leave room for another graphics
 // driver's edges; a node that moves by a ball's radius, or a boundary by an edge, is above them.
 // clang-format off
+TEST(Images, MeasuresOfQuadruped) { ExpectImage(DrawMeasures(vtkCreatureSource::QUADRUPED), "MeasuresOfQuadruped", 50); }
 TEST(Images, SkeletonOfQuadruped) { ExpectImage(DrawSkeleton(vtkCreatureSource::QUADRUPED), "SkeletonOfQuadruped", 50); }
 TEST(Images, SkeletonOfChair) { ExpectImage(DrawSkeleton(vtkCreatureSource::CHAIR), "SkeletonOfChair", 50); }
 TEST(Images, CorrespondenceOfQuadrupeds) { ExpectImage(DrawCorrespondence(vtkCreatureSource::QUADRUPED), "CorrespondenceOfQuadrupeds", 50); }

@@ -2,25 +2,30 @@
 #include "ImageComparison.h"
 #include "RigidAlignment.h"
 
+#include <vtkActor.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCreatureSource.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
-#include <vtkIntArray.h>
 #include <vtkLabelColors.h>
-#include <vtkLookupTable.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkSideBySideScene.h>
 #include <vtkSkeletonGlyphs.h>
+#include <vtkSphereSource.h>
 #include <vtkTransform.h>
 #include <vtkTransformFilter.h>
 
 #include <Eigen/Geometry>
 
-#include <set>
+#include <cmath>
 
 namespace
 {
@@ -75,140 +80,57 @@ vtkSmartPointer<vtkImageData> SecondTile(vtkPolyData* first, vtkPolyData* second
   return tile;
 }
 
-/// A Y of four points: a junction and three terminals, in a mesh of diagonal 10.
-vtkSmartPointer<vtkPolyData> YSkeleton()
+/// Pixels of the hue and saturation of `rgb`, however they are lit.
+int CountPixels(vtkImageData* image, const Eigen::Vector3d& rgb, int x0, int x1, int y0, int y1)
+{
+  int count = 0;
+  for (int y = y0; y < y1; ++y)
+  {
+    for (int x = x0; x < x1; ++x)
+    {
+      Eigen::Vector3d pixel;
+      for (int k = 0; k < 3; ++k)
+      {
+        pixel[k] = image->GetScalarComponentAsDouble(x, y, 0, k);
+      }
+      const double brightness = pixel.maxCoeff();
+      const Eigen::Vector3d difference = pixel / brightness - rgb / rgb.maxCoeff();
+      count += brightness > 40 && difference.cwiseAbs().maxCoeff() < 0.15 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+/// A unit square across z.
+vtkSmartPointer<vtkPolyData> Square()
+{
+  vtkNew<vtkPlaneSource> square;
+  square->Update();
+  return square->GetOutput();
+}
+
+/// Two nodes in front of it, at the left and at the right, with their heights and ids.
+vtkSmartPointer<vtkPolyData> TwoNodes(double left, double right, int leftId, int rightId)
 {
   auto skeleton = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0, 0, 0);
-  points->InsertNextPoint(0, -1, 0);
-  points->InsertNextPoint(1, 1, 0);
-  points->InsertNextPoint(-1, 1, 0);
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> types;
-  types->SetName("NodeType");
-  types->InsertNextValue(3);
-  vtkNew<vtkIdTypeArray> nodeIds;
-  nodeIds->SetName("CorrespondenceId");
-  nodeIds->InsertNextValue(0);
-  vtkNew<vtkIdTypeArray> branchIds;
-  branchIds->SetName("BranchCorrespondenceId");
-  for (int i = 1; i < 4; ++i)
-  {
-    lines->InsertNextCell({ 0, i });
-    types->InsertNextValue(1);
-    nodeIds->InsertNextValue(i < 3 ? i : -1);
-    branchIds->InsertNextValue(i < 3 ? i : -1);
-  }
+  points->InsertNextPoint(-0.3, left, 0.1);
+  points->InsertNextPoint(0.3, right, 0.1);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("CorrespondenceId");
+  ids->InsertNextValue(leftId);
+  ids->InsertNextValue(rightId);
   skeleton->SetPoints(points);
-  skeleton->SetLines(lines);
-  skeleton->GetPointData()->AddArray(types);
-  skeleton->GetPointData()->AddArray(nodeIds);
-  skeleton->GetCellData()->AddArray(branchIds);
-  vtkNew<vtkDoubleArray> diagonal;
-  diagonal->SetName("MeshDiagonal");
-  diagonal->InsertNextValue(10.0);
-  skeleton->GetFieldData()->AddArray(diagonal);
+  skeleton->GetPointData()->AddArray(ids);
   return skeleton;
 }
 
-std::set<std::array<int, 3>> ColorsOf(vtkPolyData* glyphs)
+void LookFromTheFront(vtkSideBySideScene* scene)
 {
-  std::set<std::array<int, 3>> colors;
-  vtkDataArray* array = glyphs->GetCellData()->GetScalars();
-  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
-  {
-    const double* rgb = array->GetTuple3(i);
-    colors.insert({ static_cast<int>(rgb[0]), static_cast<int>(rgb[1]), static_cast<int>(rgb[2]) });
-  }
-  return colors;
+  scene->SetViewDirection(0, 0, 1);
+  scene->SetAzimuth(0);
+  scene->SetElevation(0);
 }
-
-std::array<int, 3> LabelColor(vtkIdType label)
-{
-  double rgb[3];
-  vtkLabelColors::GetColor(label, rgb);
-  return { static_cast<int>(255 * rgb[0]), static_cast<int>(255 * rgb[1]),
-    static_cast<int>(255 * rgb[2]) };
-}
-}
-
-TEST(LabelColors, TwentyFourLabelsAndNoneDiffer)
-{
-  std::set<std::array<int, 3>> colors;
-  for (vtkIdType label = -1; label < 24; ++label)
-  {
-    colors.insert(LabelColor(label));
-  }
-  EXPECT_EQ(colors.size(), 25u);
-  EXPECT_EQ(LabelColor(24), LabelColor(0));
-  EXPECT_EQ(LabelColor(-1), LabelColor(-7));
-}
-
-TEST(LabelColors, ColorOfALabelDoesNotDependOnTheOthers)
-{
-  vtkNew<vtkIntArray> few;
-  vtkNew<vtkIntArray> many;
-  for (int label : { 7, 3 })
-  {
-    few->InsertNextValue(label);
-  }
-  for (int label : { 0, 1, -1, 3, 11, 7, 130 })
-  {
-    many->InsertNextValue(label);
-  }
-  vtkNew<vtkLookupTable> fewColors;
-  vtkLabelColors::FillLookupTable(fewColors, few);
-  vtkNew<vtkLookupTable> manyColors;
-  vtkLabelColors::FillLookupTable(manyColors, many);
-  for (int label : { 3, 7 })
-  {
-    double a[4];
-    double b[4];
-    double expected[3];
-    fewColors->GetAnnotationColor(vtkVariant(label), a);
-    manyColors->GetAnnotationColor(vtkVariant(label), b);
-    vtkLabelColors::GetColor(label, expected);
-    for (int k = 0; k < 3; ++k)
-    {
-      EXPECT_NEAR(a[k], expected[k], 1.0 / 255);
-      EXPECT_EQ(a[k], b[k]);
-    }
-  }
-}
-
-TEST(SkeletonGlyphs, SizesAreFractionsOfTheMeshsDiagonal)
-{
-  vtkNew<vtkSkeletonGlyphs> glyphs;
-  glyphs->SetInputData(YSkeleton());
-  glyphs->SetBallRadius(0.05);
-  glyphs->SetTubeRadius(0.01);
-  glyphs->Update();
-  // The lowest terminal at y = -1 with a ball of 0.05 x 10.
-  EXPECT_NEAR(glyphs->GetOutput()->GetBounds()[2], -1.5, 0.01);
-  EXPECT_NEAR(glyphs->GetOutput()->GetBounds()[1], 1.5, 0.02);
-}
-
-TEST(SkeletonGlyphs, ColorsTellTheNodeTypeOrTheCorrespondence)
-{
-  vtkNew<vtkSkeletonGlyphs> glyphs;
-  glyphs->SetInputData(YSkeleton());
-  glyphs->Update();
-  EXPECT_EQ(ColorsOf(glyphs->GetOutput()).size(), 3u); // branch, terminal, junction
-  glyphs->SetColorBy(vtkSkeletonGlyphs::CORRESPONDENCE);
-  glyphs->Update();
-  const std::set<std::array<int, 3>> expected = { LabelColor(0), LabelColor(1), LabelColor(2),
-    LabelColor(-1) };
-  EXPECT_EQ(ColorsOf(glyphs->GetOutput()), expected);
-}
-
-TEST(SkeletonGlyphs, AnEmptySkeletonGivesNothing)
-{
-  vtkNew<vtkPolyData> nothing;
-  vtkNew<vtkSkeletonGlyphs> glyphs;
-  glyphs->SetInputData(nothing);
-  glyphs->Update();
-  EXPECT_EQ(glyphs->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(RigidAlignment, FindsTheRotationAndNeverAReflection)
@@ -270,6 +192,197 @@ TEST(SideBySideScene, TheSkeletonShowsThroughATransparentSurface)
   EXPECT_GT(marrow::test::ImageError(images[0], images[1]), 100.0);
 }
 
+TEST(SideBySideScene, LinksRunBetweenNodesOfEqualId)
+{
+  Eigen::Vector3d one;
+  vtkLabelColors::GetColor(1, one.data());
+  for (const bool show : { false, true })
+  {
+    vtkNew<vtkSideBySideScene> scene;
+    LookFromTheFront(scene);
+    // Only the second node of the one and the first of the other are matched: a line of label 1 from
+    // the right half of the first tile to the left half of the second, at one height.
+    scene->AddMesh(Square(), TwoNodes(0.0, 0.25, -1, 1));
+    scene->AddMesh(Square(), TwoNodes(0.25, 0.0, 1, 2));
+    scene->SetShowLinks(show);
+    scene->SetSurfaceOpacity(0.0);
+    vtkNew<vtkImageData> image;
+    Draw(scene, image);
+    // A unit is 100 / 1.05 pixels, the height 50 + 0.25 of that.
+    const int height = 73;
+    EXPECT_EQ(CountPixels(image, one, 120 - 25, 120 + 25, height - 2, height + 3) >= 50, show);
+    EXPECT_EQ(CountPixels(image, one, 0, 240, 0, height - 4), 0);
+    EXPECT_EQ(CountPixels(image, one, 0, 80, 0, 100), 0);
+  }
+}
+
+TEST(SideBySideScene, AMeasureColorsTheSurfaceAndHasAScalarBar)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature();
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(mesh->GetPoint(i)[1] - mesh->GetBounds()[2]);
+  }
+  mesh->GetPointData()->AddArray(height);
+  vtkNew<vtkDoubleArray> doubled;
+  doubled->DeepCopy(height);
+  for (vtkIdType i = 0; i < doubled->GetNumberOfTuples(); ++i)
+  {
+    doubled->SetValue(i, 3.0 * doubled->GetValue(i));
+  }
+  vtkNew<vtkPolyData> taller;
+  taller->ShallowCopy(mesh);
+  doubled->SetName("Height");
+  taller->GetPointData()->AddArray(doubled);
+
+  vtkNew<vtkImageData> images[2];
+  for (int shared = 0; shared < 2; ++shared)
+  {
+    vtkNew<vtkSideBySideScene> scene;
+    scene->SetShareRange(shared == 1);
+    scene->SetSurfaceArray(scene->AddMesh(mesh), "Height");
+    scene->SetSurfaceArray(scene->AddMesh(taller), "Height");
+    Draw(scene, images[shared]);
+  }
+  // Feet dark blue, head bright: viridis runs upwards, above the scalar bar's 17 lowest rows.
+  const Eigen::Vector3d dark(68, 1, 84);
+  const Eigen::Vector3d bright(253, 231, 37);
+  EXPECT_GT(CountPixels(images[0], dark, 0, 120, 17, 50), 20);
+  EXPECT_EQ(CountPixels(images[0], bright, 0, 120, 17, 50), 0);
+  EXPECT_GT(CountPixels(images[0], bright, 0, 120, 50, 100), 20);
+  // The scalar bar holds both ends.
+  EXPECT_GT(CountPixels(images[0], dark, 0, 60, 0, 17), 5);
+  EXPECT_GT(CountPixels(images[0], bright, 60, 120, 0, 17), 5);
+  // With one range for both, the one of small values has nothing bright any more.
+  EXPECT_EQ(CountPixels(images[1], bright, 0, 120, 50, 100), 0);
+  EXPECT_GT(CountPixels(images[1], bright, 120, 240, 50, 100), 20);
+}
+
+TEST(SideBySideScene, SkeletonsTakeTheLabelsOfTheirPartOfTheSurface)
+{
+  vtkNew<vtkCreatureSource> creature;
+  creature->SetResolution(2500);
+  creature->Update();
+  vtkNew<vtkSideBySideScene> scene;
+  scene->SetSurfaceOpacity(0.0);
+  scene->SetColorSkeletonBy(vtkSkeletonGlyphs::LABEL);
+  scene->AddMesh(creature->GetOutput(0), creature->GetOutput(1));
+  vtkNew<vtkImageData> image;
+  Draw(scene, image);
+  for (vtkIdType label = 0; label < 8; ++label)
+  {
+    Eigen::Vector3d rgb;
+    vtkLabelColors::GetColor(label, rgb.data());
+    EXPECT_GT(CountPixels(image, rgb, 0, 120, 0, 100), 3) << "label " << label;
+  }
+}
+
+TEST(SideBySideScene, MatchedSkeletonsAlignWhereThereAreNoLabels)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature();
+  mesh->GetCellData()->RemoveArray("SegmentId");
+  vtkNew<vtkPolyData> skeleton;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("CorrespondenceId");
+  for (int i = 0; i < 3; ++i)
+  {
+    points->InsertNextPoint(i == 0, 2 * (i == 1), 0);
+    ids->InsertNextValue(i);
+  }
+  skeleton->SetPoints(points);
+  skeleton->GetPointData()->AddArray(ids);
+  vtkNew<vtkTransform> transform;
+  transform->RotateX(100);
+  transform->RotateY(-50);
+  vtkNew<vtkSideBySideScene> scene;
+  scene->AddMesh(mesh, skeleton);
+  scene->AddMesh(mesh, skeleton);
+  vtkNew<vtkImageData> expected;
+  Draw(scene, expected);
+  vtkNew<vtkSideBySideScene> turned;
+  turned->AddMesh(mesh, skeleton);
+  turned->AddMesh(Transformed(mesh, transform), Transformed(skeleton, transform));
+  vtkNew<vtkImageData> image;
+  Draw(turned, image);
+  EXPECT_LT(marrow::test::ImageError(image, expected), 20.0);
+}
+
+TEST(SideBySideScene, CurvesAndActorsStandOnTheirTileAndACloseUpFillsIt)
+{
+  // A line and a ball on the second of two squares.
+  const vtkSmartPointer<vtkPolyData> square = Square();
+  vtkNew<vtkPoints> line;
+  line->InsertNextPoint(-0.5, 0.3, 0.02);
+  line->InsertNextPoint(0.5, 0.3, 0.02);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1 });
+  vtkNew<vtkPolyData> curve;
+  curve->SetPoints(line);
+  curve->SetLines(cells);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0, -0.3, 0.02);
+  ball->SetRadius(0.05);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0, 0, 1);
+
+  vtkNew<vtkSideBySideScene> scene;
+  LookFromTheFront(scene);
+  scene->AddMesh(square);
+  const int second = scene->AddMesh(square);
+  scene->AddCurves(second, curve, 1.0, 0.0, 0.0, 0.02);
+  scene->AddActor(second, actor);
+  vtkNew<vtkImageData> image;
+  Draw(scene, image);
+  const auto count = [&](int component, int x0, int x1, int y0, int y1)
+  {
+    int pixels = 0;
+    for (int y = y0; y < y1; ++y)
+    {
+      for (int x = x0; x < x1; ++x)
+      {
+        const double other = image->GetScalarComponentAsDouble(x, y, 0, 1);
+        pixels += image->GetScalarComponentAsDouble(x, y, 0, component) > 2 * other + 20 ? 1 : 0;
+      }
+    }
+    return pixels;
+  };
+  EXPECT_EQ(count(0, 0, 120, 0, 100), 0);
+  EXPECT_GT(count(0, 120, 240, 72, 84), 150); // 0.3 above the middle
+  EXPECT_EQ(count(0, 120, 240, 0, 70), 0);
+  EXPECT_GT(count(2, 120, 240, 12, 32), 40); // 0.3 below the middle
+  EXPECT_EQ(count(2, 120, 240, 50, 100), 0);
+
+  // With the ball alone in view it fills its tile.
+  ball->Update();
+  scene->SetCloseUp(second, ball->GetOutput());
+  Draw(scene, image);
+  EXPECT_GT(count(2, 120, 240, 0, 100), 3000);
+}
+
+TEST(SideBySideScene, CanBeShownInAWindowOfOnesOwn)
+{
+  vtkNew<vtkSideBySideScene> scene;
+  scene->SetTileWidth(120);
+  scene->SetTileHeight(100);
+  scene->AddMesh(Creature());
+  scene->AddMesh(Creature(vtkCreatureSource::BIPED));
+  EXPECT_EQ(scene->GetRenderer(0), nullptr);
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  ASSERT_TRUE(scene->AddTo(window));
+  EXPECT_EQ(window->GetSize()[0], 240);
+  EXPECT_EQ(window->GetSize()[1], 100);
+  ASSERT_NE(scene->GetRenderer(1), nullptr);
+  EXPECT_EQ(scene->GetRenderer(1)->GetRenderWindow(), window);
+  EXPECT_EQ(scene->GetRenderer(2), nullptr);
+}
+
 TEST(SideBySideScene, ErrorsAreTold)
 {
   std::string told;
@@ -284,10 +397,15 @@ TEST(SideBySideScene, ErrorsAreTold)
   EXPECT_FALSE(scene->Render(image));
   EXPECT_NE(told.find("The scene has no mesh"), std::string::npos) << told;
 
-  scene->AddMesh(nullptr);
+  EXPECT_EQ(scene->AddMesh(nullptr), -1);
   EXPECT_NE(told.find("A tile needs a mesh"), std::string::npos) << told;
 
-  scene->AddMesh(Creature());
+  EXPECT_EQ(scene->AddMesh(Creature()), 0);
+  scene->SetTileOpacity(1, 0.5);
+  EXPECT_NE(told.find("There is no tile 1"), std::string::npos) << told;
+  scene->SetSurfaceArray(0, "Absent");
+  EXPECT_NE(told.find("neither a point nor a cell array Absent"), std::string::npos) << told;
+
   scene->SetViewDirection(0, 2, 0);
   EXPECT_FALSE(scene->Render(image));
   EXPECT_NE(told.find("parallel"), std::string::npos) << told;

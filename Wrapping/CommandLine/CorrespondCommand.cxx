@@ -51,16 +51,27 @@ CLI::App* CorrespondCommand::Declare(CLI::App& marrow)
   app->add_option("target", this->Target, "Target mesh")->required();
   app->add_option("-o,--output", this->Output, "Table of the matched nodes and branches (.csv)")
     ->required();
+  app
+    ->add_option("--skeletons", this->Skeletons,
+      "Where to write the two matched skeletons (.vtp), to be drawn by marrow render")
+    ->expected(2);
   app->footer(
     "The table has one row per match: node or branch, its id, and the indices of the skeletons' "
     "points or polylines in source and target, several where parts were merged.\n"
-    "Example:\n  marrow correspond camel.off cow.off -o pairs.csv");
+    "Example:\n  marrow correspond camel.off cow.off -o pairs.csv\n"
+    "  marrow correspond camel.off cow.off -o pairs.csv --skeletons camel.vtp cow.vtp\n"
+    "  marrow render camel.off cow.off --skeletons camel.vtp cow.vtp --matches -o matched.png");
   return app;
 }
 
 void CorrespondCommand::Run(Console& console)
 {
   files::RequireExtension(this->Output, { ".csv" });
+  for (const std::string& skeleton : this->Skeletons)
+  {
+    files::RequireExtension(skeleton, { ".vtp" });
+    files::RequireWritable(skeleton);
+  }
   vtkNew<vtkMSPSkeleton> source;
   source->SetInputData(files::ReadMesh(this->Source, console));
   console.Update(source, this->Source);
@@ -81,4 +92,9 @@ void CorrespondCommand::Run(Console& console)
     matchedTarget->GetPointData()->GetArray("CorrespondenceId"));
   WritePairs(table, "branch", matchedSource->GetCellData()->GetArray("BranchCorrespondenceId"),
     matchedTarget->GetCellData()->GetArray("BranchCorrespondenceId"));
+  if (!this->Skeletons.empty())
+  {
+    files::WritePolyData(matchedSource, this->Skeletons[0], console);
+    files::WritePolyData(matchedTarget, this->Skeletons[1], console);
+  }
 }

@@ -5,6 +5,7 @@
 #include "Command.h"
 
 #include <string>
+#include <vector>
 
 /// `marrow correspond`: which parts of two skeletons match (vtkSkeletonCorrespondence).
 class CorrespondCommand : public Command
@@ -17,6 +18,7 @@ private:
   std::string Source;
   std::string Target;
   std::string Output;
+  std::vector<std::string> Skeletons;
 };
 
 #endif

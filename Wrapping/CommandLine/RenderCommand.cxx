@@ -7,6 +7,7 @@
 
 #include <vtkPolyData.h>
 #include <vtkSideBySideScene.h>
+#include <vtkSkeletonGlyphs.h>
 
 #include <cstdlib>
 
@@ -19,6 +20,12 @@ CLI::App* RenderCommand::Declare(CLI::App& marrow)
   app->add_option("-o,--output", this->Output, "Picture (.png)")->required();
   app->add_option("--skeletons", this->Skeletons,
     "Skeletons of the meshes, in the same order, to be drawn inside of transparent surfaces");
+  app->add_flag("--matches", this->ShowMatches,
+    "Matched parts of the skeletons in equal colours, with lines between matched nodes");
+  app->add_option("--color-by", this->Measures,
+    "Arrays to colour by in place of the segments, such as AGD MSP MSPGradient; one picture of "
+    "each "
+    "mesh for every one of them");
   app->add_option("--segments", this->Segments, "Segments of the first mesh (.seg)");
   app->add_option("--captions", this->Captions, "One per mesh (default: the file names)");
   app->add_option("--up", this->ViewUp, "Direction that is up in the first mesh")
@@ -48,6 +55,8 @@ CLI::App* RenderCommand::Declare(CLI::App& marrow)
               "  marrow render camel.vtp cow.vtp bull.vtp -o animals.png\n"
               "  marrow render camel.vtp cow.vtp --skeletons camel_skeleton.vtp cow_skeleton.vtp "
               "-o skeletons.png\n"
+              "  marrow measure camel.off -o camel.vtp\n"
+              "  marrow render camel.vtp --color-by AGD MSP MSPGradient -o measures.png\n"
               "Drawing needs an X display; without one: xvfb-run marrow render ...");
   return app;
 }
@@ -60,6 +69,11 @@ void RenderCommand::Run(Console& console)
   {
     throw CommandError("--skeletons: there are " + std::to_string(this->Skeletons.size()) +
       " for " + std::to_string(this->Meshes.size()) + " meshes; name one per mesh.");
+  }
+  if (this->ShowMatches && this->Skeletons.empty())
+  {
+    throw CommandError(
+      "--matches: there are no skeletons; name those of marrow correspond by --skeletons.");
   }
   if (!this->Captions.empty() && this->Captions.size() != this->Meshes.size())
   {
@@ -82,6 +96,11 @@ void RenderCommand::Run(Console& console)
   scene->SetColumns(this->Columns);
   scene->SetTileWidth(this->TileSize[0]);
   scene->SetTileHeight(this->TileSize[1]);
+  if (this->ShowMatches)
+  {
+    scene->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+    scene->ShowLinksOn();
+  }
   const double opacity = this->Skeletons.empty() ? 1.0 : 0.3;
   scene->SetSurfaceOpacity(this->Opacity >= 0.0 ? this->Opacity : opacity);
   for (std::size_t i = 0; i < this->Meshes.size(); ++i)
@@ -98,7 +117,15 @@ void RenderCommand::Run(Console& console)
     }
     const std::string caption =
       this->Captions.empty() ? files::Stem(this->Meshes[i]) : this->Captions[i];
-    scene->AddMesh(mesh, skeleton, caption.c_str());
+    if (this->Measures.empty())
+    {
+      scene->AddMesh(mesh, skeleton, caption.c_str());
+    }
+    for (const std::string& measure : this->Measures)
+    {
+      scene->SetSurfaceArray(scene->AddMesh(mesh, skeleton, caption.c_str()), measure.c_str());
+      console.ThrowIfError(this->Meshes[i]);
+    }
   }
   scene->WritePNG(this->Output.c_str());
   console.ThrowIfError(this->Output);

@@ -18,6 +18,7 @@ private:
   std::vector<std::string> Meshes;
   std::vector<std::string> Skeletons;
   std::vector<std::string> Captions;
+  std::vector<std::string> Measures;
   std::string Segments;
   std::string Output;
   std::vector<double> ViewUp = { 0.0, 1.0, 0.0 };
@@ -28,6 +29,7 @@ private:
   double Opacity = -1.0;
   int Columns = 0;
   bool DoNotAlign = false;
+  bool ShowMatches = false;
 };
 
 #endif
