@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, List, NamedTuple, Optional, TypedDict, Union, Unpack
+from typing import Dict, List, Literal, NamedTuple, Optional, TypedDict, Union, Unpack
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkTable
@@ -87,12 +87,16 @@ class Correspondence:
 
 
 class CorrespondenceParameters(TypedDict, total=False):
+    matcher: Optional[Literal["correspondence_tree", "electors_voting"]]
     leaf_index: Optional[int]
     global_selection: Optional[bool]
     junction_threshold: Optional[float]
     merge_distance: Optional[float]
     cluster_distance: Optional[float]
     descriptor_pieces: Optional[int]
+    centricity_tolerance: Optional[float]
+    path_tolerance: Optional[float]
+    spatial_tolerance: Optional[float]
 
 
 def correspond(
@@ -109,6 +113,8 @@ def correspond(
     ----------
     source, target
         Skeletons; of meshes, the skeletons are computed by the defaults of marrow.skeleton.
+    matcher : "correspondence_tree" or "electors_voting"
+        The method; the second is there for comparisons.
     leaf_index : int, 0 or more
         Which answer to give; 0 is the best.
     global_selection : bool
@@ -121,6 +127,12 @@ def correspond(
         Branches of a junction are alike up to this difference of their thickness.
     descriptor_pieces : int, 1 to 256
         In how many pieces the thickness along a branch is described.
+    centricity_tolerance : float, 0 to 1
+        Electors voting: nodes whose agd differs by more do not match.
+    path_tolerance : float, 0 to 1
+        Electors voting: the same for the lengths of the paths between nodes, over the longest.
+    spatial_tolerance : float, 0 to 2
+        Electors voting: the share of the nodes' spread that may remain after the best alignment.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 

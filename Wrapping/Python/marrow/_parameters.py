@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from typing import Any, Callable, List, Mapping, Optional
+from typing import Any, Callable, Dict, Mapping, Optional
 
 from vtkmodules.vtkCommonCore import vtkObject
 
@@ -43,8 +43,11 @@ def set_parameter(instance: vtkObject, keyword: str, value: Any) -> None:
     setter = next(
         name for name in dir(instance) if name[:3] == "Set" and snake_case(name[3:]) == wanted
     )
-    if isinstance(value, str):
-        _choose(instance, setter, keyword, value)
+    choices = choices_of(instance, setter)
+    if choices and isinstance(value, str):
+        if value not in choices:
+            raise Error(f"{keyword} must be one of {', '.join(map(repr, choices))}, not {value!r}.")
+        choices[value]()
         return
     try:
         getattr(instance, setter)(value)
@@ -57,24 +60,14 @@ def set_parameter(instance: vtkObject, keyword: str, value: Any) -> None:
         raise Error(f"{keyword} must be from {least} to {most}, not {value}.")
 
 
-def _choose(instance: vtkObject, setter: str, keyword: str, value: str) -> None:
-    """Calls SetAGDMethodToAllPairs for agd_method="all_pairs"."""
-    choices = choices_of(instance, setter)
-    if not choices:
-        raise TypeError(f"{keyword} must be a number, not {value!r}")
-    if value not in choices:
-        raise Error(f"{keyword} must be one of {', '.join(map(repr, choices))}, not {value!r}.")
-    for name in dir(instance):
-        if name.startswith(setter + "To") and snake_case(name[len(setter) + 2:]) == value:
-            getattr(instance, name)()
-
-
-def choices_of(instance: vtkObject, setter: str) -> List[str]:
-    return [
-        snake_case(name[len(setter) + 2:])
+def choices_of(instance: vtkObject, setter: str) -> Dict[str, Callable[[], None]]:
+    """What agd_method may be: "all_pairs" stands for SetAGDMethodToAllPairs."""
+    prefix = setter + "To"
+    return {
+        snake_case(name[len(prefix):]): getattr(instance, name)
         for name in dir(instance)
-        if name.startswith(setter + "To")
-    ]
+        if name.startswith(prefix)
+    }
 
 
 def _bound(instance: vtkObject, setter: str, which: str) -> Optional[float]:

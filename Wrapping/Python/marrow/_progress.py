@@ -27,7 +27,7 @@ class Watch:
         self._title = title
         self._progress = progress
         self._bar = progress_bar
-        self._done = 0.0
+        self._done = -1.0
         self._drawn = ""
         self._stop: Optional[BaseException] = None
         self._users_handler: Any = None
@@ -68,7 +68,7 @@ class Watch:
             raise self._stop
 
     def _report(self, done: float) -> None:
-        if self._stop is not None or (done <= self._done and 0.0 < done):
+        if self._stop is not None or done <= self._done:
             return
         self._done = done
         if self._bar:

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Nothing goes to VTK's output window, and that of the user is left as it was."""
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+import marrow
+from shapes import prism
+
+
+class TestMessages(unittest.TestCase):
+    def test_nothing_is_printed(self):
+        script = (
+            "import warnings, numpy, marrow\n"
+            "warnings.simplefilter('ignore')\n"
+            "mesh = marrow.creature('snake', resolution=5000)\n"
+            "for faces in (mesh.faces[:0], numpy.vstack([mesh.faces, mesh.faces])):\n"
+            "    for function in (marrow.measure, marrow.skeleton):\n"
+            "        try: function((mesh.points, faces))\n"
+            "        except marrow.Error: print('raised')\n"
+            "marrow.transfer(marrow.creature('octopus'), mesh)\n"
+        )
+        done = subprocess.run([sys.executable, "-c", script], text=True, capture_output=True,
+                              check=True)
+        self.assertEqual((done.stdout, done.stderr), ("raised\n" * 4, ""))
+
+    def test_the_sentence_and_nothing_else(self):
+        points, faces = prism()
+        with self.assertRaises(marrow.Error) as caught:
+            marrow.measure((points, np.vstack([faces, faces[:1]])))
+        self.assertEqual(
+            str(caught.exception),
+            "measure: The mesh has 3 edges with more than two triangles (the first at point 0): "
+            "separate the sheets or remove the extra triangles.")
+
+    def test_an_error_is_a_value_error(self):
+        self.assertTrue(issubclass(marrow.Error, ValueError))
+
+    def test_the_window_of_the_user_is_back(self):
+        window = vtkOutputWindow.GetInstance()
+        with self.assertRaises(marrow.Error):
+            marrow.measure((np.zeros((3, 3)), [[0, 1, 1]]))
+        marrow.measure(prism())
+        self.assertIs(vtkOutputWindow.GetInstance(), window)
+
+    def test_warnings_may_be_errors(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(marrow.MarrowWarning):
+                marrow.transfer(marrow.creature("octopus"), prism())
+
+
+if __name__ == "__main__":
+    unittest.main()

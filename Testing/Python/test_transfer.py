@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import unittest
+import warnings
+
+import numpy as np
+
+import marrow
+from shapes import prism
+
+
+class TestTransfer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.source = marrow.creature("quadruped")
+        cls.target = marrow.creature("quadruped", pose=0.5, proportion=0.5, seed=7)
+        cls.result = marrow.transfer(cls.source, cls.target)
+
+    def test_parts_arrive_in_their_places(self):
+        evaluation = marrow.evaluate(self.result, self.target)
+        self.assertGreater(evaluation.label_accuracy, 0.95)
+        self.assertEqual(set(self.result.segments), set(self.source.segments))
+        self.assertEqual(self.result.segments.shape, (len(self.target.faces),))
+        np.testing.assert_array_equal(self.result.faces, self.target.faces)
+
+    def test_confidence(self):
+        self.assertEqual(self.result.confidence.shape, self.result.segments.shape)
+        self.assertTrue(0 <= self.result.confidence.min() <= self.result.confidence.max() <= 1)
+
+    def test_numbers_are_names(self):
+        renamed = 1000 - 7 * self.source.segments
+        result = marrow.transfer(self.source, self.target, segments=renamed)
+        np.testing.assert_array_equal(result.segments, 1000 - 7 * self.result.segments)
+
+    def test_segments_by_the_name_of_an_array(self):
+        polydata = marrow.Mesh(self.source.polydata).polydata.NewInstance()
+        polydata.DeepCopy(self.source.polydata)
+        polydata.GetCellData().GetArray("SegmentId").SetName("parts")
+        result = marrow.transfer(polydata, self.target, segments="parts")
+        np.testing.assert_array_equal(result.segments, self.result.segments)
+
+    def test_skeletons_and_their_correspondence_are_used(self):
+        pair = marrow.correspond(self.source, self.target)
+        result = marrow.transfer(pair.source, pair.target)
+        np.testing.assert_array_equal(result.segments, self.result.segments)
+        # With a correspondence that takes the neck for a leg, its labels go astray.
+        for array in (pair.target.polydata.GetPointData().GetArray("CorrespondenceId"),
+                      pair.target.polydata.GetCellData().GetArray("BranchCorrespondenceId")):
+            values = [array.GetValue(i) for i in range(array.GetNumberOfTuples())]
+            for i, value in enumerate(values):
+                array.SetValue(i, value if value < 0 else (value + 1) % (max(values) + 1))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            astray = marrow.transfer(pair.source, pair.target)
+        self.assertLess((astray.segments == result.segments).mean(), 0.9)
+
+    def test_boundaries_correspond_point_by_point(self):
+        source, target = self.result.source_boundaries, self.result.target_boundaries
+        self.assertEqual(len(target.loops), 7)
+        self.assertEqual(target.segments.shape, (7, 2))
+        for index, (number, loop) in enumerate(zip(target.ids, target.loops)):
+            other = int(np.flatnonzero(source.ids == number)[0])
+            self.assertEqual(loop.shape, source.loops[other].shape)
+            np.testing.assert_array_equal(loop[0], loop[-1])
+            self.assertEqual(set(target.segments[index]), set(source.segments[other]))
+
+    def test_errors_say_what_is_wrong(self):
+        arrays = (self.source.points, self.source.faces)
+        for source, segments, text in (
+            (arrays, None, '^transfer: Source: the mesh has no cell array "SegmentId"'),
+            (self.source, "parts", 'no cell array "parts" of segments; it has "SegmentId"'),
+            (arrays, [1, 2, 3], r"has 3 tuples of 1 components but the mesh has \d+ cells"),
+            (arrays, self.source.segments + 0.5, "is no integer at cell 0"),
+        ):
+            with self.assertRaisesRegex(marrow.Error, text):
+                marrow.transfer(source, self.target, segments=segments)
+
+    def test_what_cannot_be_matched_gives_a_warning(self):
+        tube = prism()
+        with self.assertWarnsRegex(marrow.MarrowWarning, "^transfer: .* missing altogether") as caught:
+            marrow.transfer(self.source, tube)
+        self.assertEqual(caught.filename, __file__)  # the user's line, not one of ours
+
+
+if __name__ == "__main__":
+    unittest.main()
