@@ -152,6 +152,10 @@ int vtkSkeletonCorrespondence::RequestData(
 {
   vtkPolyData* inputs[2] = { vtkPolyData::GetData(inputVector[0]),
     vtkPolyData::GetData(inputVector[1]) };
+  if (marrow::IsIdleProcess(outputVector, inputs[0]))
+  {
+    return 1;
+  }
   marrow::Skeleton skeletons[2];
   for (int side = 0; side < 2; ++side)
   {

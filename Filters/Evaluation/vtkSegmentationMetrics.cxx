@@ -2,6 +2,7 @@
 #include "vtkSegmentationMetrics.h"
 
 #include "ArrayNames.h"
+#include "FilterSupport.h"
 #include "MeshBridge.h"
 #include "SegmentationScores.h"
 
@@ -71,6 +72,10 @@ int vtkSegmentationMetrics::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   vtkTable* output = vtkTable::GetData(outputVector);
+  if (marrow::IsIdleProcess(outputVector, input))
+  {
+    return 1;
+  }
 
   marrow::SegmentationScores scores;
   marrow::TriangleMesh mesh;

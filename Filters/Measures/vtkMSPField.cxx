@@ -27,6 +27,10 @@ int vtkMSPField::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (marrow::IsIdleProcess(outputVector, input))
+  {
+    return 1;
+  }
 
   marrow::TriangleMesh mesh;
   marrow::MeshReport report;

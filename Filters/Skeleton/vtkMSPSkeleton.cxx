@@ -34,6 +34,10 @@ int vtkMSPSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* skeletonOutput = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 1);
+  if (marrow::IsIdleProcess(outputVector, input))
+  {
+    return 1;
+  }
 
   marrow::TriangleMesh mesh;
   marrow::MeshReport report;

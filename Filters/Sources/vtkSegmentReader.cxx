@@ -2,6 +2,7 @@
 #include "vtkSegmentReader.h"
 
 #include "ArrayNames.h"
+#include "FilterSupport.h"
 #include "MeshBridge.h"
 #include "SegmentFile.h"
 
@@ -21,6 +22,10 @@ int vtkSegmentReader::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (marrow::IsIdleProcess(outputVector, input))
+  {
+    return 1;
+  }
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("There is no file name: set FileName.");

@@ -198,7 +198,7 @@ std::string ReadLabels(
       known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
     }
     return "Source: the mesh has no cell array \"" + name + "\" of segments; " +
-      (known.empty() ? "it has no cell arrays: read a .seg file with vtkSegReader."
+      (known.empty() ? "it has no cell arrays: read a .seg file with vtkSegmentReader."
                      : "it has " + known + ": choose one with SetInputArrayToProcess.");
   }
   const vtkIdType numberOfCells = mesh->GetNumberOfCells();

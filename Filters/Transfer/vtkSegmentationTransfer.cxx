@@ -111,6 +111,10 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* inputTarget = vtkPolyData::GetData(inputVector[1]);
+  if (marrow::IsIdleProcess(outputVector, inputTarget))
+  {
+    return 1;
+  }
   marrow::TransferSide source{ "Source", CopyOf(vtkPolyData::GetData(inputVector[0])),
     CopyOf(vtkPolyData::GetData(inputVector[2])) };
   marrow::TransferSide target{ "Target", CopyOf(inputTarget),

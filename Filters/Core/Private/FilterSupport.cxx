@@ -3,7 +3,11 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
 namespace marrow
@@ -15,6 +19,13 @@ bool IsAborted(vtkAlgorithm* filter)
 #else
   return filter->GetAbortExecute() != 0;
 #endif
+}
+
+bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
+{
+  vtkInformation* info = output->GetInformationObject(0);
+  return vtkStreamingDemandDrivenPipeline::GetUpdatePiece(info) > 0 &&
+    input->GetNumberOfPoints() == 0;
 }
 
 Progress ProgressOf(vtkAlgorithm* filter, double from, double to)

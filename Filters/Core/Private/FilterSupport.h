@@ -5,12 +5,18 @@
 #include "Progress.h"
 
 class vtkAlgorithm;
+class vtkDataSet;
+class vtkInformationVector;
 
 /// What every filter of ours needs of VTK, and where VTK's versions differ.
 namespace marrow
 {
 /// Whether the user asked the filter to stop. Call from one thread only.
 bool IsAborted(vtkAlgorithm* filter);
+
+/// Whether this process has no part in the work: several share it (ParaView's servers under mpiexec),
+/// and the whole of `input` is with the first. Its output is then to stay empty, and is no error.
+bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input);
 
 /// A callback that moves the filter's progress from `from` to `to` and tells of an abort.
 Progress ProgressOf(vtkAlgorithm* filter, double from = 0.0, double to = 1.0);
