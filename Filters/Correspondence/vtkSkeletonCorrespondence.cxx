@@ -49,6 +49,7 @@ void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side, double 
   SetIdArray(output->GetPointData(), names::CorrespondenceId, side.NodeId);
   vtkCellData* cells = output->GetCellData();
   SetIdArray(cells, names::BranchCorrespondenceId, OverCells(output, side.BranchId, -1));
+  cells->SetActiveScalars(names::BranchCorrespondenceId);
   SetIdArray(cells, names::BranchCorrespondenceOrder, OverCells(output, side.BranchOrder, -1));
   const unsigned char along = 0;
   SetArray(
