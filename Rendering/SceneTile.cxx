@@ -59,7 +59,9 @@ vtkSmartPointer<vtkActor> SurfaceActor(
   mapper->SetInputConnection(normals->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetOpacity(tile.Opacity < 0.0 ? style.Opacity : tile.Opacity);
+  const double opacity = tile.Opacity < 0.0 ? style.Opacity : tile.Opacity;
+  actor->GetProperty()->SetOpacity(opacity);
+  actor->SetPickable(!tile.Skeleton || opacity == 1.0);
   vtkDataArray* array = SurfaceArrayOf(tile, style.LabelArray);
   if (!array)
   {

@@ -112,6 +112,7 @@ void vtkMeasureColors::SetUpScalarBar(
   bar->SetNumberOfLabels(3);
   bar->SetLabelFormat("%.3g");
   bar->UnconstrainedFontSizeOn();
+  bar->SetVerticalTitleSeparation(fontSize);
   for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
   {
     text->SetColor(0.1, 0.1, 0.1);

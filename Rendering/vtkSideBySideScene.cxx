@@ -274,6 +274,7 @@ bool vtkSideBySideScene::WritePNG(const char* fileName)
     return false;
   }
   vtkNew<vtkPNGWriter> writer;
+  writer->SetCompressionLevel(9);
   writer->SetInputData(image);
   writer->SetFileName(fileName);
   writer->Write();

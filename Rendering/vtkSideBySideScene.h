@@ -43,7 +43,8 @@ public:
   /**
    * Adds a tile, from left to right and then row by row, and returns its index, or -1 with an error
    * event where there is no mesh. `skeleton` and `caption` may be null. The skeleton is drawn by
-   * vtkSkeletonMapper; it shows where the surface's opacity is less than 1.
+   * vtkSkeletonMapper; it shows where the surface's opacity is less than 1, and can be picked through
+   * that surface then.
    */
   int AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton = nullptr, const char* caption = nullptr);
 
