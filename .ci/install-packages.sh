@@ -7,6 +7,8 @@ packages=(
   # build; VTK's CMake package also looks for what python3-vtk9 and mpi-default-dev bring
   cmake g++ ninja-build ccache
   libvtk9-dev python3-vtk9 mpi-default-dev libeigen3-dev libboost-graph-dev libcli11-dev
+  # the Python package
+  python3-numpy
   # tests
   libgtest-dev
   # pictures without a display, and the examples' recipes

@@ -79,7 +79,7 @@ class TestPicture(unittest.TestCase):
         creature = marrow.creature("snake")
         with self.assertRaisesRegex(marrow.Error, "render: .*mesh"):
             marrow.render()
-        with self.assertRaisesRegex(marrow.Error, "2 captions for 1 meshes"):
+        with self.assertRaisesRegex(marrow.Error, "captions: there are 2 for 1 meshes"):
             marrow.render(creature, captions=["one", "two"])
         with self.assertRaisesRegex(marrow.Error, "'node_type', 'correspondence'.* not 'height'"):
             marrow.render(creature, color_skeleton_by="height")

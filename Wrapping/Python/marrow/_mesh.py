@@ -40,6 +40,12 @@ class Mesh:
             return None
         return named(self.polydata.GetCellData(), SEGMENT_ID)
 
+    def with_segments(self, segments: ArrayLike) -> Mesh:
+        """The same mesh with these segments, (m,) int; this one is left as it is."""
+        polydata = polydata_of(self)
+        set_segments(polydata, segments)
+        return Mesh(polydata)
+
 
 MeshLike = Union[vtkPolyData, Mesh, Tuple[ArrayLike, ArrayLike]]
 """What is taken for a mesh: a vtkPolyData (a subclass too), a Mesh, or a pair (points, faces) of

@@ -40,7 +40,7 @@ def render(
     *meshes: Union[MeshLike, Skeleton],
     path: Optional[Path] = None,
     captions: Optional[Sequence[str]] = None,
-    surface_array: Optional[str] = None,
+    surface_array: Union[str, Sequence[Optional[str]], None] = None,
     color_skeleton_by: Optional[Literal["node_type", "correspondence", "branch", "label"]] = None,
     **parameters: Unpack[SceneParameters],
 ) -> Array:
@@ -55,7 +55,7 @@ def render(
     path
         A file .png to be written too.
     captions : one str per mesh
-    surface_array : str
+    surface_array : str, or one str or None per mesh
         Name of an array to colour the surfaces by, with a scalar bar: "MSP", "SegmentConfidence".
     color_skeleton_by : "node_type", "correspondence", "branch" or "label"
         What the skeletons' colours tell.
@@ -70,6 +70,7 @@ def render(
     align : bool
         Turn the other meshes to stand like the first.
     surface_opacity : float, 0 to 1
+        Of all surfaces; else only those round a skeleton are transparent.
     label_array_name : str
         Name of the cell array with the segments.
     tile_width, tile_height : int, 16 to 4096, pixels
@@ -86,29 +87,38 @@ def render(
             "render: there is no X display to draw with: set DISPLAY, or put 'xvfb-run -a -s "
             "\"-screen 0 1280x1024x24 -noreset\"' before the command."
         )
-    if captions is not None and len(captions) != len(meshes):
-        raise Error(f"render: there are {len(captions)} captions for {len(meshes)} meshes.")
+    titles = _per_mesh("captions", captions, meshes)
+    arrays = _per_mesh("surface_array", surface_array, meshes)
     scene = vtk.vtkSideBySideScene()
     set_parameters(scene, render, SceneParameters, parameters)
     if color_skeleton_by is not None:
         scene.SetColorSkeletonBy(_color_by(color_skeleton_by))
-    if parameters.get("surface_opacity") is None:
-        if any(isinstance(mesh, Skeleton) for mesh in meshes):
-            scene.SetSurfaceOpacity(_OPACITY_ROUND_SKELETONS)
     image = vtkImageData()
     with collected_messages("render"):
-        for i, mesh in enumerate(meshes):
+        for mesh, title, array in zip(meshes, titles, arrays):
             skeleton = mesh.polydata if isinstance(mesh, Skeleton) else None
             surface = polydata_of(mesh.mesh if isinstance(mesh, Skeleton) else mesh)
-            tile = scene.AddMesh(surface, skeleton, captions[i] if captions is not None else None)
-            if surface_array is not None and tile >= 0:
-                scene.SetSurfaceArray(tile, surface_array)
+            tile = scene.AddMesh(surface, skeleton, title)
+            if array is not None:
+                scene.SetSurfaceArray(tile, array)
+            if skeleton is not None and parameters.get("surface_opacity") is None:
+                scene.SetTileOpacity(tile, _OPACITY_ROUND_SKELETONS)
         scene.Render(image)
     if path is not None:
         _write_png(image, os.fspath(path))
     width, height, _ = image.GetDimensions()
     pixels = view(image.GetPointData().GetScalars()).reshape(height, width, 3)
     return np.flipud(pixels).copy()
+
+
+def _per_mesh(
+    keyword: str, given: Union[str, Sequence[Optional[str]], None], meshes: Sequence[object]
+) -> Sequence[Optional[str]]:
+    if given is None or isinstance(given, str):
+        return [given] * len(meshes)
+    if len(given) != len(meshes):
+        raise Error(f"{keyword}: there are {len(given)} for {len(meshes)} meshes.")
+    return given
 
 
 def _color_by(name: str) -> int:

@@ -1,0 +1,56 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The code of Documentation/python.md, in its order."""
+
+import numpy as np
+import marrow
+
+camel = marrow.read("meshes/camel.off", segments="animals/camel.seg")
+cow = marrow.read("meshes/cow.off")
+labelled = marrow.transfer(camel, cow, progress_bar=True)
+
+print(np.bincount(labelled.segments))  # (m,) int: one per face
+print(labelled.confidence.mean())      # (m,) float, 0 to 1: how sure each of them is
+marrow.write(labelled, "cow.vtp")      # all arrays; "cow.seg" is for the segments alone
+
+points, faces = camel.points, camel.faces  # (n, 3) float, (m, 3) int
+by_arrays = marrow.transfer((points, faces), cow.polydata, segments=camel.segments)
+assert (by_arrays.segments == labelled.segments).all()
+
+head = np.where(labelled.segments == 1, 1, 0)
+marrow.render(labelled, labelled.with_segments(head), path="head.png")
+
+measures = marrow.measure(camel, number_of_slices=24)
+print(measures.msp.max(), "is the girth where the camel is thickest")
+
+skeleton = marrow.skeleton(measures)
+for branch, length in zip(skeleton.branches, skeleton.branch_length):
+    print(f"from node {branch[0]} to node {branch[-1]}: {length:.2f}")
+
+pair = marrow.correspond(skeleton, cow)
+for match in pair.nodes:
+    print(f"node {match.source} is node {match.target} of the cow")
+marrow.render(pair.source, pair.target, color_skeleton_by="correspondence", show_links=True,
+              path="pair.png")
+
+again = marrow.transfer(pair.source, pair.target)
+print(marrow.evaluate(again, labelled.segments).rand_error)
+
+broken = (points, np.vstack([faces, faces[:1]]))
+try:
+    marrow.skeleton(broken, finest_area=0.002)
+except marrow.Error as error:
+    print(error)  # skeleton: The mesh has 3 edges with more than two triangles (the first at ...
+
+steps = []
+marrow.measure(camel, progress=steps.append)
+assert steps[-1] == 1.0
+
+from marrow.vtk import vtkMSPSkeleton, vtkSkeletonGlyphs
+
+algorithm = vtkMSPSkeleton()
+algorithm.SetInputData(camel.polydata)
+glyphs = vtkSkeletonGlyphs()
+glyphs.SetInputConnection(algorithm.GetOutputPort(0))
+glyphs.Update()
+print(glyphs.GetOutput().GetNumberOfCells(), "triangles to draw the skeleton with")
