@@ -122,6 +122,11 @@ std::string CompleteSide(
     WatchInner(outer, skeleton, from, to);
     skeleton->SetInputData(side.Mesh);
     skeleton->Update();
+    if (IsAborted(outer))
+    {
+      // From VTK 9.2 on the executive has emptied the outputs.
+      return {};
+    }
     side.Skeleton = OutputOf(skeleton, 0);
     side.Mesh = OutputOf(skeleton, 1);
   }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeCollapse.h"
 
-#include "CollapseComplex.h"
+#include "EdgeCollapser.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace marrow
@@ -17,222 +16,163 @@ constexpr double SamplingWeight = 0.1;
 /// A loop that may be closed is short against the perimeter of the part it goes round: on the shrunk
 /// mesh a loop round a tube has nearly no length, one through a hole at least the hole's own.
 constexpr double TubeLoop = 0.5;
+}
 
-/// Sum of the squared distances to lines: pᵀ A p - 2 gᵀ p + d.
-struct LineQuadric
+EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& position,
+  const std::vector<double>& msp)
+  : Complex(mesh)
+  , Position(position)
+  , MSP(msp)
+  , Quadric(position.size())
+  , Stamp(position.size(), 0)
 {
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d G = Eigen::Vector3d::Zero();
-  double D = 0.0;
+  for (int e = 0; e < this->Complex.NumberOfEdges(); ++e)
+  {
+    const auto& edge = this->Complex.EdgeAt(e);
+    Eigen::Vector3d direction = position[edge.B] - position[edge.A];
+    const double length = direction.norm();
+    if (length > 0.0)
+    {
+      direction /= length;
+      this->Quadric[edge.A].AddLine(position[edge.A], direction);
+      this->Quadric[edge.B].AddLine(position[edge.B], direction);
+    }
+  }
+}
 
-  void AddLine(const Eigen::Vector3d& point, const Eigen::Vector3d& direction)
-  {
-    const Eigen::Matrix3d projection =
-      Eigen::Matrix3d::Identity() - direction * direction.transpose();
-    const Eigen::Vector3d projected = projection * point;
-    this->A += projection;
-    this->G += projected;
-    this->D += point.dot(projected);
-  }
-  void Add(const LineQuadric& other)
-  {
-    this->A += other.A;
-    this->G += other.G;
-    this->D += other.D;
-  }
-  double operator()(const Eigen::Vector3d& p) const
-  {
-    return p.dot(this->A * p) - 2.0 * this->G.dot(p) + this->D;
-  }
-};
-
-class Collapser
+bool EdgeCollapser::Run(const Progress& progress)
 {
-public:
-  Collapser(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& position,
-    const std::vector<double>& msp)
-    : Complex(mesh)
-    , Position(position)
-    , MSP(msp)
-    , Quadric(position.size())
-    , Stamp(position.size(), 0)
+  for (int v = 0; v < this->Complex.NumberOfVertices(); ++v)
   {
-    for (int e = 0; e < this->Complex.NumberOfEdges(); ++e)
+    for (const auto& spoke : this->Complex.SpokesOf(v))
     {
-      const auto& edge = this->Complex.EdgeAt(e);
-      Eigen::Vector3d direction = position[edge.B] - position[edge.A];
-      const double length = direction.norm();
-      if (length > 0.0)
+      this->Push(v, spoke);
+    }
+  }
+  const int atStart = std::max(1, this->Complex.NumberOfTriangles());
+  for (;;)
+  {
+    int steps = 0;
+    while (!this->Queue.empty() && this->Complex.NumberOfTriangles() > 0)
+    {
+      const Entry entry = this->Queue.top();
+      this->Queue.pop();
+      this->Try(entry);
+      if (++steps % 4096 == 0 &&
+        !Report(progress, 1.0 - static_cast<double>(this->Complex.NumberOfTriangles()) / atStart))
       {
-        direction /= length;
-        this->Quadric[edge.A].AddLine(position[edge.A], direction);
-        this->Quadric[edge.B].AddLine(position[edge.B], direction);
+        return false;
       }
     }
-  }
-
-  bool Run(const Progress& progress)
-  {
-    for (int v = 0; v < this->Complex.NumberOfVertices(); ++v)
+    if (this->Complex.NumberOfTriangles() == 0 || !this->CloseShortestLoop())
     {
-      for (const auto& spoke : this->Complex.SpokesOf(v))
-      {
-        this->Push(v, spoke);
-      }
-    }
-    const int atStart = std::max(1, this->Complex.NumberOfTriangles());
-    for (;;)
-    {
-      int steps = 0;
-      while (!this->Queue.empty() && this->Complex.NumberOfTriangles() > 0)
-      {
-        const Entry entry = this->Queue.top();
-        this->Queue.pop();
-        this->Try(entry);
-        if (++steps % 4096 == 0 &&
-          !Report(progress, 1.0 - static_cast<double>(this->Complex.NumberOfTriangles()) / atStart))
-        {
-          return false;
-        }
-      }
-      if (this->Complex.NumberOfTriangles() == 0 || !this->CloseShortestLoop())
-      {
-        return true;
-      }
+      return true;
     }
   }
+}
 
-  CollapseComplex Complex;
-
-private:
-  struct Entry
+void EdgeCollapser::Push(int from, const CollapseComplex::Spoke& spoke)
+{
+  if (this->Complex.EdgeAt(spoke.Edge).Apexes.empty())
   {
-    double Cost;
-    int From;
-    int To;
-    int Stamp;
-    bool operator<(const Entry& other) const
-    {
-      return Cost != other.Cost ? Cost > other.Cost
-                                : (From != other.From ? From > other.From : To > other.To);
-    }
-  };
-
-  /// Puts the collapse of `from` onto a neighbour into the queue.
-  void Push(int from, const CollapseComplex::Spoke& spoke)
-  {
-    if (this->Complex.EdgeAt(spoke.Edge).Apexes.empty())
-    {
-      return;
-    }
-    double reach = 0.0;
-    for (const auto& other : this->Complex.SpokesOf(from))
-    {
-      reach += (this->Position[from] - this->Position[other.Neighbor]).norm();
-    }
-    const Eigen::Vector3d& to = this->Position[spoke.Neighbor];
-    const double shape = this->Quadric[from](to) + this->Quadric[spoke.Neighbor](to);
-    const double sampling = (this->Position[from] - to).norm() * reach;
-    this->Queue.push({ shape + SamplingWeight * sampling, from, spoke.Neighbor,
-      this->Stamp[from] + this->Stamp[spoke.Neighbor] });
+    return;
   }
-
-  void Try(const Entry& entry)
+  double reach = 0.0;
+  for (const auto& other : this->Complex.SpokesOf(from))
   {
-    if (this->Stamp[entry.From] + this->Stamp[entry.To] != entry.Stamp ||
-      !this->Complex.IsAlive(entry.From) || !this->Complex.IsAlive(entry.To))
+    reach += (this->Position[from] - this->Position[other.Neighbor]).norm();
+  }
+  const Eigen::Vector3d& to = this->Position[spoke.Neighbor];
+  const double shape = this->Quadric[from](to) + this->Quadric[spoke.Neighbor](to);
+  const double sampling = (this->Position[from] - to).norm() * reach;
+  this->Queue.push({ shape + SamplingWeight * sampling, from, spoke.Neighbor,
+    this->Stamp[from] + this->Stamp[spoke.Neighbor] });
+}
+
+void EdgeCollapser::Try(const Entry& entry)
+{
+  if (this->Stamp[entry.From] + this->Stamp[entry.To] != entry.Stamp ||
+    !this->Complex.IsAlive(entry.From) || !this->Complex.IsAlive(entry.To))
+  {
+    return;
+  }
+  const int edge = this->Complex.FindEdge(entry.From, entry.To);
+  if (edge >= 0 && !this->Complex.EdgeAt(edge).Apexes.empty() &&
+    this->LoopToPerimeter(entry.From, entry.To, edge) <= TubeLoop)
+  {
+    this->Collapse(entry.From, entry.To, edge);
+  }
+}
+
+void EdgeCollapser::Collapse(int from, int to, int edge)
+{
+  this->Complex.Collapse(from, to, edge);
+  this->Quadric[to].Add(this->Quadric[from]);
+  // The sum of two stamps grows with every change of either end, so it tells an entry's age.
+  ++this->Stamp[to];
+  for (const auto& spoke : this->Complex.SpokesOf(to))
+  {
+    this->Push(to, spoke);
+    this->Push(spoke.Neighbor, { to, spoke.Edge });
+  }
+}
+
+double EdgeCollapser::LoopToPerimeter(int from, int to, int edge) const
+{
+  const std::vector<int> thirds = this->Complex.ThirdsOfOpenLoops(from, to, edge);
+  if (this->Complex.NumberOfClosedLoops() + static_cast<int>(thirds.size()) > this->Complex.Genus())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  double ratio = 0.0;
+  for (const int third : thirds)
+  {
+    const double length = (this->Position[from] - this->Position[to]).norm() +
+      (this->Position[to] - this->Position[third]).norm() +
+      (this->Position[third] - this->Position[from]).norm();
+    const double perimeter = std::min({ this->MSP[from], this->MSP[to], this->MSP[third] });
+    ratio = std::max(ratio, perimeter > 0.0 ? length / perimeter : length);
+  }
+  return ratio;
+}
+
+bool EdgeCollapser::CloseShortestLoop()
+{
+  double best = std::numeric_limits<double>::infinity();
+  int bestEdge = -1;
+  for (int e = 0; e < this->Complex.NumberOfEdges(); ++e)
+  {
+    const auto& edge = this->Complex.EdgeAt(e);
+    if (!edge.Alive || edge.Apexes.empty())
     {
-      return;
+      continue;
     }
-    const int edge = this->Complex.FindEdge(entry.From, entry.To);
-    if (edge >= 0 && !this->Complex.EdgeAt(edge).Apexes.empty() &&
-      this->LoopToPerimeter(entry.From, entry.To, edge) <= TubeLoop)
+    const double ratio = this->LoopToPerimeter(edge.A, edge.B, e);
+    if (ratio < best)
     {
-      this->Collapse(entry.From, entry.To, edge);
+      best = ratio;
+      bestEdge = e;
     }
   }
-
-  void Collapse(int from, int to, int edge)
+  if (bestEdge < 0)
   {
-    this->Complex.Collapse(from, to, edge);
-    this->Quadric[to].Add(this->Quadric[from]);
-    // The sum of two stamps grows with every change of either end, so it tells an entry's age.
-    ++this->Stamp[to];
-    for (const auto& spoke : this->Complex.SpokesOf(to))
-    {
-      this->Push(to, spoke);
-      this->Push(spoke.Neighbor, { to, spoke.Edge });
-    }
+    return false;
   }
-
-  /// The longest loop that the collapse would close, over the perimeter of its part; 0 if every one
-  /// bounds, infinite if no more may be closed.
-  double LoopToPerimeter(int from, int to, int edge) const
-  {
-    const std::vector<int> thirds = this->Complex.ThirdsOfOpenLoops(from, to, edge);
-    if (this->Complex.NumberOfClosedLoops() + static_cast<int>(thirds.size()) >
-      this->Complex.Genus())
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    double ratio = 0.0;
-    for (const int third : thirds)
-    {
-      const double length = (this->Position[from] - this->Position[to]).norm() +
-        (this->Position[to] - this->Position[third]).norm() +
-        (this->Position[third] - this->Position[from]).norm();
-      const double perimeter = std::min({ this->MSP[from], this->MSP[to], this->MSP[third] });
-      ratio = std::max(ratio, perimeter > 0.0 ? length / perimeter : length);
-    }
-    return ratio;
-  }
-
-  /// Triangles are left and no loop is short enough: the shortest one is closed all the same.
-  bool CloseShortestLoop()
-  {
-    double best = std::numeric_limits<double>::infinity();
-    int bestEdge = -1;
-    for (int e = 0; e < this->Complex.NumberOfEdges(); ++e)
-    {
-      const auto& edge = this->Complex.EdgeAt(e);
-      if (!edge.Alive || edge.Apexes.empty())
-      {
-        continue;
-      }
-      const double ratio = this->LoopToPerimeter(edge.A, edge.B, e);
-      if (ratio < best)
-      {
-        best = ratio;
-        bestEdge = e;
-      }
-    }
-    if (bestEdge < 0)
-    {
-      return false;
-    }
-    this->Collapse(this->Complex.EdgeAt(bestEdge).A, this->Complex.EdgeAt(bestEdge).B, bestEdge);
-    return true;
-  }
-
-  const std::vector<Eigen::Vector3d>& Position;
-  const std::vector<double>& MSP;
-  std::vector<LineQuadric> Quadric;
-  std::vector<int> Stamp;
-  std::priority_queue<Entry> Queue;
-};
+  this->Collapse(this->Complex.EdgeAt(bestEdge).A, this->Complex.EdgeAt(bestEdge).B, bestEdge);
+  return true;
 }
 
 SkeletonGraph CollapseToGraph(const TriangleMesh& closedMesh,
   const std::vector<Eigen::Vector3d>& position, const std::vector<double>& msp,
   const Progress& progress)
 {
-  Collapser collapser(closedMesh, position, msp);
+  EdgeCollapser collapser(closedMesh, position, msp);
   if (!collapser.Run(progress))
   {
     return {};
   }
 
-  const CollapseComplex& complex = collapser.Complex;
+  const CollapseComplex& complex = collapser.GetComplex();
   std::vector<int> nodeOfVertex(position.size(), -1);
   SkeletonGraph graph;
   for (int v = 0; v < complex.NumberOfVertices(); ++v)

@@ -13,68 +13,6 @@ namespace
 {
 constexpr int NumberOfSamples = 201;
 
-/// Mean |∇MSP| over φ along the chain at evenly spaced places, smoothed; empty if no node has
-/// vertices.
-std::vector<double> SmoothProfile(const AnalyzedMesh& side, const Branch& chain, double kernel)
-{
-  std::vector<double> ratios;
-  std::vector<double> values;
-  for (std::size_t i = 0; i < chain.Nodes.size(); ++i)
-  {
-    const std::vector<int>& vertices = side.Skeleton.Graph[chain.Nodes[i]].Vertices;
-    if (vertices.empty())
-    {
-      continue;
-    }
-    double sum = 0.0;
-    for (int v : vertices)
-    {
-      sum += side.GradientMagnitude[v];
-    }
-    ratios.push_back(chain.ArcLength[i] / chain.Length());
-    values.push_back(sum / vertices.size());
-  }
-  if (values.empty())
-  {
-    return {};
-  }
-  std::vector<double> raw(NumberOfSamples);
-  std::size_t next = 0;
-  for (int k = 0; k < NumberOfSamples; ++k)
-  {
-    const double at = static_cast<double>(k) / (NumberOfSamples - 1);
-    while (next < ratios.size() && ratios[next] < at)
-    {
-      ++next;
-    }
-    if (next == 0 || next == ratios.size())
-    {
-      raw[k] = values[next == 0 ? 0 : next - 1];
-    }
-    else
-    {
-      const double t = (at - ratios[next - 1]) / (ratios[next] - ratios[next - 1]);
-      raw[k] = (1.0 - t) * values[next - 1] + t * values[next];
-    }
-  }
-  std::vector<double> smooth(NumberOfSamples);
-  const double deviation = kernel * (NumberOfSamples - 1);
-  const int reach = static_cast<int>(std::ceil(3.0 * deviation));
-  for (int k = 0; k < NumberOfSamples; ++k)
-  {
-    double sum = 0.0;
-    double total = 0.0;
-    for (int j = std::max(0, k - reach); j <= std::min(NumberOfSamples - 1, k + reach); ++j)
-    {
-      const double weight = std::exp(-0.5 * (j - k) * (j - k) / (deviation * deviation));
-      sum += weight * raw[j];
-      total += weight;
-    }
-    smooth[k] = sum / total;
-  }
-  return smooth;
-}
-
 /// The lowest value from k on in one direction, until the profile rises above its value at k.
 double FlankMinimum(const std::vector<double>& profile, int k, int step)
 {
@@ -206,6 +144,7 @@ bool CutFuzzyRegion(const AnalyzedMesh& side, const std::vector<double>& ratios,
     const int b = nodeOfTriangle[TriangleMesh::TriangleOf(mesh.Opposite[h])];
     if (isFront[a] != isFront[b])
     {
+      ghost.HalfEdges.push_back(isFront[a] ? h : mesh.Opposite[h]);
       const double length = (mesh.Points[mesh.From(h)] - mesh.Points[mesh.To(h)]).norm();
       ratioSum += length * 0.5 * (ratios[mesh.From(h)] + ratios[mesh.To(h)]);
       gradientSum += length * gradient(h);
@@ -216,17 +155,78 @@ bool CutFuzzyRegion(const AnalyzedMesh& side, const std::vector<double>& ratios,
   {
     return false;
   }
+  ghost.Peak = peak;
   ghost.Ratio = ratioSum / total;
   ghost.Strength = largest > 0.0 ? gradientSum / total / largest : 0.0;
   return true;
 }
 }
 
+std::vector<double> GradientProfile(const AnalyzedMesh& side, const Branch& chain, double kernel)
+{
+  std::vector<double> ratios;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < chain.Nodes.size(); ++i)
+  {
+    const std::vector<int>& vertices = side.Skeleton.Graph[chain.Nodes[i]].Vertices;
+    if (vertices.empty())
+    {
+      continue;
+    }
+    double sum = 0.0;
+    for (int v : vertices)
+    {
+      sum += side.GradientMagnitude[v];
+    }
+    ratios.push_back(chain.ArcLength[i] / chain.Length());
+    values.push_back(sum / vertices.size());
+  }
+  if (values.empty())
+  {
+    return {};
+  }
+  std::vector<double> raw(NumberOfSamples);
+  std::size_t next = 0;
+  for (int k = 0; k < NumberOfSamples; ++k)
+  {
+    const double at = static_cast<double>(k) / (NumberOfSamples - 1);
+    while (next < ratios.size() && ratios[next] < at)
+    {
+      ++next;
+    }
+    if (next == 0 || next == ratios.size())
+    {
+      raw[k] = values[next == 0 ? 0 : next - 1];
+    }
+    else
+    {
+      const double t = (at - ratios[next - 1]) / (ratios[next] - ratios[next - 1]);
+      raw[k] = (1.0 - t) * values[next - 1] + t * values[next];
+    }
+  }
+  std::vector<double> smooth(NumberOfSamples);
+  const double deviation = kernel * (NumberOfSamples - 1);
+  const int reach = static_cast<int>(std::ceil(3.0 * deviation));
+  for (int k = 0; k < NumberOfSamples; ++k)
+  {
+    double sum = 0.0;
+    double total = 0.0;
+    for (int j = std::max(0, k - reach); j <= std::min(NumberOfSamples - 1, k + reach); ++j)
+    {
+      const double weight = std::exp(-0.5 * (j - k) * (j - k) / (deviation * deviation));
+      sum += weight * raw[j];
+      total += weight;
+    }
+    smooth[k] = sum / total;
+  }
+  return smooth;
+}
+
 std::vector<GhostBoundary> FindGhostBoundaries(
   const AnalyzedMesh& side, const Branch& chain, double theta, double kernel)
 {
   std::vector<GhostBoundary> ghosts;
-  const std::vector<double> profile = SmoothProfile(side, chain, kernel);
+  const std::vector<double> profile = GradientProfile(side, chain, kernel);
   if (profile.empty())
   {
     return ghosts;

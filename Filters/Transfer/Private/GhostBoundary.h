@@ -16,12 +16,16 @@ struct GhostBoundary
 {
   double Ratio = 0.0;    ///< where along the chain
   double Strength = 0.0; ///< mean |∇MSP| along the cut over the largest |∇MSP| of the mesh
+  double Peak = 0.0;     ///< where the profile has the maximum that it comes from
+  std::vector<int> HalfEdges{}; ///< the cut: its half-edges on the chain's front side, unordered
 };
 
-/// The profile is the mean |∇MSP| over φ of the nodes along the chain, smoothed by a Gaussian of
-/// standard deviation `kernel` (of the chain's length). A local maximum counts if it is at least
-/// `theta` times the lowest values on both its sides (up to where the profile rises above it). The
-/// triangles within 1.5 kernels to both sides are its fuzzy region; the minimum cut through it, with
+/// The mean |∇MSP| over φ of the nodes along the chain at evenly spaced ratios from 0 to 1, smoothed by
+/// a Gaussian of standard deviation `kernel` (of the chain's length); empty if no node has vertices.
+std::vector<double> GradientProfile(const AnalyzedMesh& side, const Branch& chain, double kernel);
+
+/// A local maximum of the GradientProfile counts if it is at least `theta` times the lowest values on
+/// both its sides (up to where the profile rises above it). The triangles within 1.5 kernels to both sides are its fuzzy region; the minimum cut through it, with
 /// capacity length / (|∇MSP| + 0.001), is the ghost boundary.
 std::vector<GhostBoundary> FindGhostBoundaries(
   const AnalyzedMesh& side, const Branch& chain, double theta, double kernel);
