@@ -26,8 +26,8 @@ def other(mesh):
 class TestMesh(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.source = marrow.creature("biped")
-        cls.target = marrow.creature("biped", pose=0.5, seed=7)
+        cls.source = marrow.creature("biped", resolution=5000)
+        cls.target = marrow.creature("biped", pose=0.5, seed=7, resolution=5000)
 
     def test_arrays_come_back_as_they_went_in(self):
         points, faces = prism()

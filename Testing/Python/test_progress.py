@@ -13,8 +13,8 @@ import marrow
 class TestProgress(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.source = marrow.creature("biped")
-        cls.target = marrow.creature("biped", pose=0.5, seed=7)
+        cls.source = marrow.creature("biped", resolution=5000)
+        cls.target = marrow.creature("biped", pose=0.5, seed=7, resolution=5000)
 
     def functions(self, **arguments):
         marrow.measure(self.source, **arguments)

@@ -22,7 +22,7 @@ Array = NDArray[Any]
 
 def view(array: vtkAbstractArray) -> Array:
     """The array's own memory. Filters share arrays between input and output, so nobody may write."""
-    values = vtk_to_numpy(array)
+    values: Array = vtk_to_numpy(array)
     values.flags.writeable = False
     return values
 

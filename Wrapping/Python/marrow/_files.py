@@ -76,9 +76,9 @@ def write(
     array = set_segments(polydata, segments)
     with open(name, "ab"):
         pass  # Python's exception says better than VTK why a file cannot be written.
-    if isinstance(writer, vtkSegmentWriter):
+    if writer.IsA("vtkSegmentWriter"):
         writer.SetInputArrayToProcess(0, 0, 0, vtkPolyData.FIELD_ASSOCIATION_CELLS, array)
-    if isinstance(writer, vtkPolyDataWriter):
+    if writer.IsA("vtkPolyDataWriter"):
         writer.SetFileTypeToBinary()
     writer.SetInputData(polydata)
     writer.SetFileName(name)

@@ -9,6 +9,7 @@ A module is loaded when a class of it is first asked for: nobody needs OpenGL fo
 MarrowSkeletonCGAL, which is under the GPL, is loaded by those only who use it.
 """
 from importlib import import_module as _import_module
+from typing import Any as _Any
 
 # Most used first, CGAL's last: a class is looked for in this order.
 _MODULES = (
@@ -23,7 +24,7 @@ _MODULES = (
 )
 
 
-def __getattr__(name: str) -> type:
+def __getattr__(name: str) -> _Any:
     if name.startswith("vtk"):
         for module in _MODULES:
             try:
