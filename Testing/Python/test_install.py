@@ -13,7 +13,7 @@ import marrow
 labelled = marrow.transfer(marrow.creature("biped"), marrow.creature("biped", seed=3))
 assert len(set(labelled.segments)) == 7
 marrow.vtk.vtkSideBySideScene()
-print(marrow.__file__)
+print(marrow.__file__, marrow.__version__)
 print(open("/proc/self/maps").read())
 """
 
@@ -31,7 +31,9 @@ class TestInstall(unittest.TestCase):
         done = subprocess.run([sys.executable, "-c", SCRIPT], capture_output=True, text=True,
                               env={**os.environ, "PYTHONPATH": str(packages)}, check=True)
         path, _, libraries = done.stdout.partition("\n")
+        path, version = path.split()
         self.assertEqual(pathlib.Path(path).parent, packages / "marrow")
+        self.assertRegex(version, r"^\d+\.\d+\.\d+$")
         ours = {line.split()[-1] for line in libraries.splitlines() if "Marrow" in line}
         self.assertGreater(len(ours), 10)
         for library in ours:

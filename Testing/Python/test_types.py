@@ -15,7 +15,7 @@ OPTIONS = ["--strict", "--ignore-missing-imports", "--allow-untyped-calls",
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
 class TestTypes(unittest.TestCase):
     def mypy(self, *arguments):
-        package = os.path.join(os.environ["MARROW_SOURCE"], "Wrapping", "Python")
+        package = os.environ["PYTHONPATH"].split(os.pathsep)[0]
         cache = os.path.join(os.environ["MARROW_TEST_OUTPUT"], "mypy")
         return subprocess.run(
             [sys.executable, "-m", "mypy", "--cache-dir", cache, *OPTIONS, *arguments],

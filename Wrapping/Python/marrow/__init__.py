@@ -26,6 +26,7 @@ from ._messages import Error, MarrowWarning
 from ._picture import render
 from ._skeleton import NodeType, Skeleton, mean_curvature_skeleton, skeleton
 from ._transfer import Boundaries, Transfer, transfer
+from ._version import __version__
 
 __all__ = [
     "Boundaries",
@@ -40,6 +41,7 @@ __all__ = [
     "NodeType",
     "Skeleton",
     "Transfer",
+    "__version__",
     "correspond",
     "creature",
     "evaluate",
