@@ -8,6 +8,7 @@
 
 #include <vtkCellData.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 vtkStandardNewMacro(vtkSegmentReader);
@@ -48,6 +49,8 @@ int vtkSegmentReader::RequestData(
   output->ShallowCopy(input);
   marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, segments);
   output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
+  // Viewers prefer point scalars to cell scalars.
+  output->GetPointData()->SetActiveScalars(nullptr);
   return 1;
 }
 

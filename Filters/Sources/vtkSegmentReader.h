@@ -8,7 +8,8 @@
  * filter.
  *
  * Input port 0: the mesh, vtkPolyData. Output port 0: the same points, cells and arrays, and
- * - cells, SegmentId (int): the file's integers, in the order of the cells; the active cell scalars.
+ * - cells, SegmentId (int): the file's integers, in the order of the cells; the only active
+ *   scalars.
  *
  * Errors: no file name; the file cannot be read; a line is not one integer (its number is told); there
  * are more or fewer of them than cells (both numbers are told).

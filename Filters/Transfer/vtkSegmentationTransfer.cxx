@@ -16,6 +16,7 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -192,6 +193,8 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   output->ShallowCopy(inputTarget);
   marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, result.Labels);
   output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
+  // Viewers prefer point scalars to cell scalars.
+  output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
   WriteBoundaries(result.Boundaries, true, vtkPolyData::GetData(outputVector, 1));
   WriteBoundaries(result.Boundaries, false, vtkPolyData::GetData(outputVector, 2));

@@ -40,7 +40,7 @@
  *
  * Ports out:
  * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays
- *   - SegmentId (int): the segment; replaces an array of that name and is the active cell scalars;
+ *   - SegmentId (int): the segment; replaces an array of that name, and is the only active scalars;
  *   - SegmentConfidence (double in [0,1]): the product of the correspondence's confidence, of how
  *     far the face lies on matched branches (1; 0.55 on branches without a partner) and of the share
  *     that the guided map gives the face's segment, which is small near boundaries and where the map
