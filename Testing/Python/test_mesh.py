@@ -100,6 +100,14 @@ class TestMesh(unittest.TestCase):
     def test_a_mesh_without_segments(self):
         self.assertIsNone(marrow.measure(tetrahedron()).segments)
 
+    def test_other_segments(self):
+        mesh = marrow.measure(tetrahedron())
+        np.testing.assert_array_equal(mesh.with_segments([4, 3, 2, 1]).segments, [4, 3, 2, 1])
+        self.assertIsNone(mesh.segments)
+        for wrong in ([4, 3, 2], [[4, 3, 2, 1]], 4):
+            with self.assertRaisesRegex(marrow.Error, r"segments must have the shape \(4,\)"):
+                mesh.with_segments(wrong)
+
     def test_what_is_no_mesh(self):
         points, faces = tetrahedron()
         for mesh, kind, text in (

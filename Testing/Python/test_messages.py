@@ -2,6 +2,8 @@
 """Nothing goes to VTK's output window, and that of the user is left as it was."""
 import subprocess
 import sys
+import threading
+import time
 import unittest
 import warnings
 
@@ -46,6 +48,39 @@ class TestMessages(unittest.TestCase):
             marrow.measure((np.zeros((3, 3)), [[0, 1, 1]]))
         marrow.measure(prism())
         self.assertIs(vtkOutputWindow.GetInstance(), window)
+
+    def test_threads_hear_their_own(self):
+        window = vtkOutputWindow.GetInstance()
+        good, bad = marrow.creature("snake"), marrow.creature("snake")
+        bad = (bad.points, np.vstack([bad.faces, bad.faces[:1]]))
+        told = []
+
+        def work(mesh):
+            for _ in range(5):
+                try:
+                    # In the callback Python may go on with the other thread.
+                    marrow.skeleton(mesh, progress=lambda _: time.sleep(0.001))
+                    told.append("done")
+                except marrow.Error:
+                    told.append("error")
+
+        threads = [threading.Thread(target=work, args=(mesh,)) for mesh in (good, bad)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual((told.count("done"), told.count("error")), (5, 5))
+        self.assertIs(vtkOutputWindow.GetInstance(), window)
+
+    def test_a_callback_may_call_us(self):
+        told = []
+
+        def callback(done):
+            if 0 < done < 1 and not told:
+                told.append(marrow.measure(prism()).msp.max())
+
+        marrow.skeleton(marrow.creature("snake"), progress=callback)
+        self.assertEqual(len(told), 1)
 
     def test_warnings_may_be_errors(self):
         with warnings.catch_warnings():

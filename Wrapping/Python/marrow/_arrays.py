@@ -63,6 +63,8 @@ def lines_of(polydata: vtkPolyData) -> List[Array]:
 def to_vtk(values: ArrayLike, name: str) -> vtkDataArray:
     """A copy as an array of VTK's."""
     array = np.ascontiguousarray(values)
+    if array.ndim > 2:
+        raise Error(f"{name}: the values have the shape {array.shape}, more than two dimensions.")
     if array.dtype == bool:
         array = array.astype(np.uint8)
     try:

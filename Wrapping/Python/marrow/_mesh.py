@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Optional, Tuple, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._arrays import Array, named, points_of, polydata_from, to_vtk, triangles_of
+from ._messages import Error
 
 SEGMENT_ID = "SegmentId"
 
@@ -43,7 +45,15 @@ class Mesh:
     def with_segments(self, segments: ArrayLike) -> Mesh:
         """The same mesh with these segments, (m,) int; this one is left as it is."""
         polydata = polydata_of(self)
-        set_segments(polydata, segments)
+        array = to_vtk(segments, SEGMENT_ID)
+        if (array.GetNumberOfTuples(), array.GetNumberOfComponents()) != (
+            polydata.GetNumberOfCells(), 1
+        ):
+            raise Error(
+                f"segments must have the shape ({polydata.GetNumberOfCells()},), one per face, "
+                f"not {np.shape(segments)}."
+            )
+        polydata.GetCellData().AddArray(array)
         return Mesh(polydata)
 
 

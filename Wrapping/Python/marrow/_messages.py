@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import threading
 import warnings
 from contextlib import contextmanager
 from typing import Iterator
@@ -16,6 +17,10 @@ class Error(ValueError):
 
 class MarrowWarning(UserWarning):
     """A result that is not what was to be expected; it says why."""
+
+
+# There is one output window for all threads. Reentrant: a callback may call our functions.
+_window_in_use = threading.RLock()
 
 
 @contextmanager
@@ -35,16 +40,17 @@ def collected_messages(subject: str) -> Iterator[None]:
     window = vtkStringOutputWindow()
     window.AddObserver("ErrorEvent", listen)
     window.AddObserver("WarningEvent", listen)
-    users_window = vtkOutputWindow.GetInstance()
-    users_verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkOutputWindow.SetInstance(window)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        yield
-    finally:
-        vtkLogger.SetStderrVerbosity(users_verbosity)
-        vtkOutputWindow.SetInstance(users_window)
-        window.RemoveAllObservers()
+    with _window_in_use:
+        users_window = vtkOutputWindow.GetInstance()
+        users_verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        vtkOutputWindow.SetInstance(window)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        try:
+            yield
+        finally:
+            vtkLogger.SetStderrVerbosity(users_verbosity)
+            vtkOutputWindow.SetInstance(users_window)
+            window.RemoveAllObservers()
     for note in dict.fromkeys(notes):
         warnings.warn(f"{subject}: {note}", MarrowWarning, stacklevel=_users_level())
     if errors:
