@@ -59,17 +59,17 @@ class TestMessages(unittest.TestCase):
             for _ in range(5):
                 try:
                     # In the callback Python may go on with the other thread.
-                    marrow.skeleton(mesh, progress=lambda _: time.sleep(0.001))
+                    marrow.skeleton(mesh, progress=lambda _: time.sleep(0.002))
                     told.append("done")
                 except marrow.Error:
                     told.append("error")
 
-        threads = [threading.Thread(target=work, args=(mesh,)) for mesh in (good, bad)]
+        threads = [threading.Thread(target=work, args=(mesh,)) for mesh in (good, good, bad)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        self.assertEqual((told.count("done"), told.count("error")), (5, 5))
+        self.assertEqual((told.count("done"), told.count("error")), (10, 5))
         self.assertIs(vtkOutputWindow.GetInstance(), window)
 
     def test_a_callback_may_call_us(self):
