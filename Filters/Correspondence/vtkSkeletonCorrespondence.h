@@ -33,10 +33,11 @@
  * 29(2), 2010. A search over the terminals and junctions, one to one, prunes every set of pairs that
  * fails a test of centricity (CentricityTolerance), path lengths (PathTolerance), topology (which
  * nodes lie between which) or spatial configuration (SpatialTolerance; no reflection). Each set that
- * survives votes for its pairs, and the set of most votes wins; branches follow from their ends. It
- * merges no junctions, and leaves more unmatched. The search keeps 1000 sets at a time, looks at 48
- * nodes of a skeleton at most, those of the longest branches, and relaxes the first two tolerances
- * where less than half of the nodes would be matched.
+ * survives votes for its pairs, and the pairs of most votes that pass the tests together win; branches
+ * follow from their ends. It merges no junctions and leaves more unmatched. The search keeps 1000 sets
+ * at a time, looks at 48 nodes of a skeleton at most, those of the longest branches, and relaxes the
+ * first two tolerances where less than half of the nodes would be matched. The thresholds
+ * and these limits are ours.
  *
  * Limits: a horn goes to an ear, or a head without a muzzle to an ear, where the target has nothing
  * better; of rotational symmetries (an octopus) any rotation may come out; left and right of bodies
@@ -173,7 +174,7 @@ public:
 
   ///@{
   /**
-   * Electors voting: nodes whose AGD differs by more than this do not match. Default 0.3, range
+   * Electors voting: nodes whose AGD differs by more than this do not match. Default 0.4, range
    * [0, 1].
    */
   vtkSetClampMacro(CentricityTolerance, double, 0.0, 1.0);
@@ -183,7 +184,7 @@ public:
   ///@{
   /**
    * Electors voting: two nodes do not match two others if the paths between them differ in length by
-   * more than this; a fraction of each skeleton's longest path. Default 0.2, range [0, 1].
+   * more than this; a fraction of each skeleton's longest path. Default 0.3, range [0, 1].
    */
   vtkSetClampMacro(PathTolerance, double, 0.0, 1.0);
   vtkGetMacro(PathTolerance, double);
@@ -220,8 +221,8 @@ private:
   double MergeDistance = 0.075;
   double ClusterDistance = 0.1;
   int DescriptorPieces = 8;
-  double CentricityTolerance = 0.3;
-  double PathTolerance = 0.2;
+  double CentricityTolerance = 0.4;
+  double PathTolerance = 0.3;
   double SpatialTolerance = 0.35;
 };
 

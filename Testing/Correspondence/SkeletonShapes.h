@@ -115,10 +115,15 @@ public:
     return data;
   }
 
+  const Eigen::Vector3d& Position(const std::string& name) const
+  {
+    return this->Points.at(name).first;
+  }
+
   /// The point of the skeleton that has this name.
   vtkIdType Find(vtkPolyData* data, const std::string& name) const
   {
-    const Eigen::Vector3d p = this->Points.at(name).first;
+    const Eigen::Vector3d& p = this->Position(name);
     return data->FindPoint(p.x(), p.y(), p.z());
   }
 

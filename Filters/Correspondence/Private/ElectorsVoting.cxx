@@ -14,23 +14,27 @@ namespace marrow
 {
 namespace
 {
-constexpr double LeftOut = 1.5;
+/// What a node without a partner costs, in units of the tolerances. Skeletons that are alike may well
+/// have split a junction in two.
+constexpr double TerminalLeftOut = 1.5;
+constexpr double JunctionLeftOut = 0.75;
 
-bool Holds(FeaturePaths::Mask mask, int feature)
+enum class Kind
 {
-  return (mask >> feature & 1) != 0;
-}
+  Terminal,
+  Junction,
+  OfRing ///< of a ring without either
+};
 
 const Eigen::Vector3d& PositionOf(const FeaturePaths& paths, int feature)
 {
   return paths.Graph().GetFeatures()[paths.Feature(feature)].Position;
 }
 
-/// 0: terminal, 1: junction, 2: the node of a ring without either.
-int KindOf(const FeaturePaths& paths, int feature)
+Kind KindOf(const FeaturePaths& paths, int feature)
 {
   const FeatureGraph::Feature& f = paths.Graph().GetFeatures()[paths.Feature(feature)];
-  return f.IsTerminal() ? 0 : (f.IsJunction() ? 1 : 2);
+  return f.IsTerminal() ? Kind::Terminal : (f.IsJunction() ? Kind::Junction : Kind::OfRing);
 }
 
 double AGDOf(const FeaturePaths& paths, int feature)
@@ -85,46 +89,67 @@ bool ElectorsVoting::Search(const Progress& progress)
   this->Electors.assign(1, PairSet());
   for (std::size_t depth = 0; depth < order.size(); ++depth)
   {
-    std::vector<int> partners;
-    for (int t = 0; t < this->Target.Size(); ++t)
+    if (!Report(progress, static_cast<double>(depth) / order.size()))
     {
-      if (this->PassesCentricity({ order[depth], t }))
-      {
-        partners.push_back(t);
-      }
+      return false;
     }
-    this->Statistics.CorePairs += static_cast<int>(partners.size());
-    std::vector<PairSet> next;
-    for (const PairSet& set : this->Electors)
-    {
-      if (!Report(progress, static_cast<double>(depth) / order.size()))
-      {
-        return false;
-      }
-      for (const int t : partners)
-      {
-        PairSet extended;
-        if (this->Extend(set, { order[depth], t }, extended))
-        {
-          next.push_back(std::move(extended));
-        }
-      }
-      next.push_back(set);
-      next.back().Misfit += LeftOut;
-      next.back().Rank += LeftOut;
-    }
-    std::stable_sort(
-      next.begin(), next.end(), [](const PairSet& a, const PairSet& b) { return a.Rank < b.Rank; });
-    if (next.size() > MaximumSets)
-    {
-      next.resize(MaximumSets);
-    }
-    this->Statistics.TreeNodes += static_cast<int>(next.size());
+    this->Electors = this->NextLevel(order[depth]);
+    this->Statistics.TreeNodes += static_cast<int>(this->Electors.size());
     this->Statistics.Height = static_cast<int>(depth) + 1;
-    this->Electors = std::move(next);
   }
   this->Statistics.Leaves = static_cast<int>(this->Electors.size());
   return true;
+}
+
+std::vector<ElectorsVoting::PairSet> ElectorsVoting::NextLevel(int feature)
+{
+  constexpr int none = -1;
+  struct Child
+  {
+    const PairSet* Parent;
+    int Partner;
+    Rating Rated;
+  };
+  const double leftOut =
+    KindOf(this->Source, feature) == Kind::Junction ? JunctionLeftOut : TerminalLeftOut;
+  std::vector<int> partners;
+  for (int t = 0; t < this->Target.Size(); ++t)
+  {
+    if (this->PassesCentricity({ feature, t }))
+    {
+      partners.push_back(t);
+    }
+  }
+  this->Statistics.CorePairs += static_cast<int>(partners.size());
+  std::vector<Child> children;
+  for (const PairSet& set : this->Electors)
+  {
+    Child child{ &set, none, set.Rated };
+    child.Rated.Misfit += leftOut;
+    child.Rated.Rank += leftOut;
+    children.push_back(child);
+    for (const int t : partners)
+    {
+      child.Partner = t;
+      if (this->Extend(set, { feature, t }, child.Rated))
+      {
+        children.push_back(child);
+      }
+    }
+  }
+  std::stable_sort(children.begin(), children.end(),
+    [](const Child& a, const Child& b) { return a.Rated.Rank < b.Rated.Rank; });
+  children.resize(std::min(children.size(), MaximumSets));
+  std::vector<PairSet> next;
+  for (const Child& child : children)
+  {
+    next.push_back({ child.Parent->Pairs, child.Rated });
+    if (child.Partner != none)
+    {
+      next.back().Pairs.emplace_back(feature, child.Partner);
+    }
+  }
+  return next;
 }
 
 bool ElectorsVoting::PassesCentricity(Pair pair) const
@@ -134,9 +159,11 @@ bool ElectorsVoting::PassesCentricity(Pair pair) const
     this->Relaxation * this->Parameters.CentricityTolerance;
 }
 
-bool ElectorsVoting::Extend(const PairSet& set, Pair added, PairSet& result) const
+bool ElectorsVoting::Extend(const PairSet& set, Pair added, Rating& rating) const
 {
   const auto [s, t] = added;
+  const double centricityTolerance = this->Relaxation * this->Parameters.CentricityTolerance;
+  const double pathTolerance = this->Relaxation * this->Parameters.PathTolerance;
   double paths = 0.0;
   for (const auto& [u, v] : set.Pairs)
   {
@@ -144,7 +171,7 @@ bool ElectorsVoting::Extend(const PairSet& set, Pair added, PairSet& result) con
     const double b = this->Target.Length(t, v);
     // Infinite: another component; the partners must be in two then too.
     const double unlike = a == b ? 0.0 : std::abs(a - b);
-    if (v == t || !(unlike <= this->Relaxation * this->Parameters.PathTolerance))
+    if (u == s || v == t || !(unlike <= pathTolerance))
     {
       return false;
     }
@@ -154,38 +181,44 @@ bool ElectorsVoting::Extend(const PairSet& set, Pair added, PairSet& result) con
   {
     return false;
   }
-  result = set;
-  result.Misfit += std::abs(AGDOf(this->Source, s) - AGDOf(this->Target, t)) /
-    (this->Relaxation * this->Parameters.CentricityTolerance);
-  if (!set.Pairs.empty())
-  {
-    result.Misfit += paths / (set.Pairs.size() * this->Relaxation * this->Parameters.PathTolerance);
-  }
-  result.Pairs.push_back(added);
-  this->AddPositions(result, added);
-  const double spatial = SpatialMisfit(result);
+  rating = set.Rated;
+  this->AddPositions(added, rating);
+  const double spatial = SpatialMisfit(rating);
   if (spatial < 0.0 || spatial > this->Parameters.SpatialTolerance)
   {
     return false;
   }
-  result.Rank = result.Misfit +
-    static_cast<double>(result.Pairs.size()) * spatial / this->Parameters.SpatialTolerance;
+  // All in units of the tolerances; where one is 0, so is the misfit.
+  const auto relative = [](double misfit, double tolerance)
+  { return tolerance > 0.0 ? misfit / tolerance : 0.0; };
+  rating.Misfit +=
+    relative(std::abs(AGDOf(this->Source, s) - AGDOf(this->Target, t)), centricityTolerance);
+  if (!set.Pairs.empty())
+  {
+    rating.Misfit += relative(paths / set.Pairs.size(), pathTolerance);
+  }
+  rating.Rank = rating.Misfit + rating.Count * relative(spatial, this->Parameters.SpatialTolerance);
   return true;
 }
 
 bool ElectorsVoting::PassesTopology(const PairSet& set, Pair added) const
 {
-  const auto [s, t] = added;
+  const auto holds = [](FeaturePaths::Mask mask, int feature)
+  { return (mask >> feature & 1) != 0; };
+  const auto alike = [&](const Pair& a, const Pair& middle, const Pair& b)
+  {
+    return holds(this->Source.Between(a.first, b.first), middle.first) ==
+      holds(this->Target.Between(a.second, b.second), middle.second) ||
+      (holds(this->Source.Near(a.first, b.first), middle.first) &&
+        holds(this->Target.Near(a.second, b.second), middle.second));
+  };
   for (std::size_t i = 0; i < set.Pairs.size(); ++i)
   {
-    const auto [u, v] = set.Pairs[i];
-    const FeaturePaths::Mask sourceMask = this->Source.Between(s, u);
-    const FeaturePaths::Mask targetMask = this->Target.Between(t, v);
-    for (std::size_t k = 0; k < set.Pairs.size(); ++k)
+    for (std::size_t k = 0; k < i; ++k)
     {
-      const auto [w, x] = set.Pairs[k];
-      if (Holds(sourceMask, w) != Holds(targetMask, x) ||
-        (k < i && Holds(this->Source.Between(u, w), s) != Holds(this->Target.Between(v, x), t)))
+      const Pair& a = set.Pairs[i];
+      const Pair& b = set.Pairs[k];
+      if (!alike(a, added, b) || !alike(added, a, b) || !alike(added, b, a))
       {
         return false;
       }
@@ -194,30 +227,31 @@ bool ElectorsVoting::PassesTopology(const PairSet& set, Pair added) const
   return true;
 }
 
-void ElectorsVoting::AddPositions(PairSet& set, Pair added) const
+void ElectorsVoting::AddPositions(Pair added, Rating& rating) const
 {
   const Eigen::Vector3d& p = PositionOf(this->Source, added.first);
   const Eigen::Vector3d& q = PositionOf(this->Target, added.second);
-  set.SourceSum += p;
-  set.TargetSum += q;
-  set.Products += p * q.transpose();
-  set.SourceSquares += p.squaredNorm();
-  set.TargetSquares += q.squaredNorm();
+  ++rating.Count;
+  rating.SourceSum += p;
+  rating.TargetSum += q;
+  rating.Products += p * q.transpose();
+  rating.SourceSquares += p.squaredNorm();
+  rating.TargetSquares += q.squaredNorm();
 }
 
-double ElectorsVoting::SpatialMisfit(const PairSet& set)
+double ElectorsVoting::SpatialMisfit(const Rating& rating)
 {
   // As of the branch vectors of a junction (BranchAssignment): flat sets can be turned over.
   constexpr double flat = 0.05;
-  const double count = static_cast<double>(set.Pairs.size());
-  if (count < 3.0)
+  const double count = rating.Count;
+  if (rating.Count < 3)
   {
     return 0.0;
   }
   const Eigen::Matrix3d covariance =
-    set.Products - set.SourceSum * set.TargetSum.transpose() / count;
-  const double spread = std::sqrt((set.SourceSquares - set.SourceSum.squaredNorm() / count) *
-    (set.TargetSquares - set.TargetSum.squaredNorm() / count));
+    rating.Products - rating.SourceSum * rating.TargetSum.transpose() / count;
+  const double spread = std::sqrt((rating.SourceSquares - rating.SourceSum.squaredNorm() / count) *
+    (rating.TargetSquares - rating.TargetSum.squaredNorm() / count));
   if (!(spread > 0.0))
   {
     return 0.0;
@@ -230,35 +264,44 @@ double ElectorsVoting::SpatialMisfit(const PairSet& set)
   {
     return -1.0;
   }
-  return 1.0 - (singular[2] + singular[1] + (reflects ? -1.0 : 1.0) * singular[0]) / spread;
+  const double explained =
+    (singular[2] + singular[1] + (reflects ? -1.0 : 1.0) * singular[0]) / spread;
+  return std::max(0.0, 1.0 - explained);
 }
 
 ElectorsVoting::PairSet ElectorsVoting::Elect() const
 {
-  Eigen::MatrixXi votes = Eigen::MatrixXi::Zero(this->Source.Size(), this->Target.Size());
+  const int targets = this->Target.Size();
+  struct Candidate
+  {
+    Pair Features;
+    int Votes = 0;
+    double BestRank = std::numeric_limits<double>::infinity();
+  };
+  std::vector<Candidate> candidates(this->Source.Size() * targets);
   for (const PairSet& elector : this->Electors)
   {
-    for (const auto& [s, t] : elector.Pairs)
+    for (const Pair& pair : elector.Pairs)
     {
-      ++votes(s, t);
+      Candidate& candidate = candidates[pair.first * targets + pair.second];
+      candidate.Features = pair;
+      ++candidate.Votes;
+      candidate.BestRank = std::min(candidate.BestRank, elector.Rated.Rank);
     }
   }
-  const PairSet* winner = nullptr;
-  long long most = -1;
-  // The electors stand in the order of their rank.
-  for (const PairSet& elector : this->Electors)
+  std::stable_sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return a.Votes != b.Votes ? a.Votes > b.Votes : a.BestRank < b.BestRank; });
+  PairSet winner;
+  for (const Candidate& candidate : candidates)
   {
-    long long sum = 0;
-    for (const auto& [s, t] : elector.Pairs)
+    Rating extended;
+    if (candidate.Votes > 0 && this->Extend(winner, candidate.Features, extended))
     {
-      sum += votes(s, t);
-    }
-    if (sum > most)
-    {
-      most = sum;
-      winner = &elector;
+      winner.Pairs.push_back(candidate.Features);
+      winner.Rated = extended;
     }
   }
-  return winner ? *winner : PairSet();
+  return winner;
 }
 }

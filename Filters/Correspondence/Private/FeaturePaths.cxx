@@ -44,6 +44,7 @@ FeaturePaths::FeaturePaths(const FeatureGraph& graph)
   {
     length /= longest > 0.0 ? longest : 1.0;
   }
+  this->FindNears();
 }
 
 void FeaturePaths::FindPathsFrom(int from)
@@ -95,6 +96,27 @@ void FeaturePaths::FindPathsFrom(int from)
       }
     }
     std::reverse(path.begin(), path.end());
+  }
+}
+
+void FeaturePaths::FindNears()
+{
+  this->Nears = this->Insides;
+  for (int a = 0; a < this->Size(); ++a)
+  {
+    for (int b = 0; b < this->Size(); ++b)
+    {
+      for (int middle = 0; middle < this->Size(); ++middle)
+      {
+        // Between components, the difference is no number.
+        const double off =
+          0.5 * (this->Length(a, middle) + this->Length(middle, b) - this->Length(a, b));
+        if (off <= NearPath)
+        {
+          this->Nears[a * this->Size() + b] |= Mask(1) << middle;
+        }
+      }
+    }
   }
 }
 }
