@@ -205,6 +205,31 @@ TEST_F(SegmentationBenchmark, MethodsAreNotMixed)
     << this->Content("stderr.txt");
 }
 
+TEST_F(SegmentationBenchmark, NamesTheMatcherEverywhere)
+{
+  const std::string until = "--quiet --until correspondence ";
+  ASSERT_EQ(this->Run("tree", until), 0) << this->Content("stderr.txt");
+  ASSERT_EQ(this->Run("electors", until + "--matcher electors"), 0) << this->Content("stderr.txt");
+  for (const std::string matcher : { "tree", "electors" })
+  {
+    const auto summary = this->Table(matcher + "/summary.csv");
+    ASSERT_FALSE(summary.empty());
+    for (const auto& row : summary)
+    {
+      EXPECT_EQ(row.at("skeleton"), "msp");
+      EXPECT_EQ(row.at("matcher"), matcher);
+    }
+    EXPECT_EQ(std::stoi(summary.front().at("pairs")), NumberOfPairs);
+    EXPECT_GT(std::stod(summary.front().at("coverage")), 0.5);
+    EXPECT_NE(
+      this->Content(matcher + "/report.html").find("matcher " + matcher), std::string::npos);
+  }
+  EXPECT_NE(this->Content("stdout.txt").find("matcher electors"), std::string::npos);
+  EXPECT_NE(this->Run("electors", until), 0);
+  EXPECT_NE(this->Content("stderr.txt").find("matcher electors"), std::string::npos);
+  EXPECT_NE(this->Run("other", until + "--matcher coin"), 0);
+}
+
 TEST_F(SegmentationBenchmark, ErrorsSayWhatIsWrong)
 {
   EXPECT_NE(this->Run("results", "--category Unicorn"), 0);
