@@ -111,7 +111,8 @@ class TestMesh(unittest.TestCase):
     def test_what_is_no_mesh(self):
         points, faces = tetrahedron()
         for mesh, kind, text in (
-            ((points[:, :2], faces), marrow.Error, r"points must have the shape \(n, 3\), not \(4, 2\)"),
+            ((points[:, :2], faces), marrow.Error,
+             r"points must have the shape \(n, 3\), not \(4, 2\)"),
             ((points, faces[0]), marrow.Error, r"faces must have the shape \(m, 3\), not \(3,\)"),
             ((points, faces + 0.5), TypeError, "faces must be integers, not float64"),
             ((points, faces + 1), marrow.Error,

@@ -22,7 +22,7 @@ class Measures(Mesh):
 
     @property
     def agd(self) -> Array:
-        """(n,) float: average geodesic distance, from 0 (middle) to 1 (extremities) on each component."""
+        """(n,) float: average geodesic distance, 0 (middle) to 1 (extremities) per component."""
         return named(self.polydata.GetPointData(), "AGD")
 
     @property
