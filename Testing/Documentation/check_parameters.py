@@ -40,6 +40,27 @@ def public_headers(root):
                     yield os.path.relpath(os.path.join(folder, name), root)
 
 
+def comments_of(text):
+    """parameter: what the comment of its group says."""
+    comments = {}
+    for comment, macros in re.findall(r"///@\{\s*/\*\*(.*?)\*/(.*?)///@\}", text, re.S):
+        for name in re.findall(r"vtkSet\w*Macro\((\w+)", macros):
+            comments[name] = " ".join(line.strip(" *") for line in comment.splitlines())
+    return comments
+
+
+def says(comment, default, values):
+    """Whether a comment has the default after that word, and both ends of the range."""
+    def has(words, value):
+        return any(same(word.strip("[].,;:()\""), value) for word in words.split())
+
+    _, word, after = comment.partition("Default")
+    if word and default is not None and not all(has(after, v.strip()) for v in default.split(",")):
+        return False
+    ends = [v for v in values or [] if v not in ("VTK_INT_MAX", "off", "on")]
+    return not re.search("[Rr]ange", comment) or all(has(comment, end) for end in ends)
+
+
 def read_header(root, path):
     """parameter: (default, range) as a table should have them; None: not to be known here."""
     text = read(root, path)
@@ -103,6 +124,11 @@ def main(root):
         name = os.path.basename(path)[:-2]
         classes.add(name)
         parameters = read_header(root, path)
+        for parameter, comment in comments_of(read(root, path)).items():
+            default, values = parameters[parameter]
+            if not says(comment, default, values):
+                errors.append(f"{path}: the comment of {parameter} has another default or range than "
+                              f"the code: {default}, {' to '.join(values or [])}.")
         table = tables.get(name, {})
         for parameter in sorted(set(parameters) - set(table)):
             errors.append(f"{PAGE}: {name} has no row for {parameter}, which {path} has.")
