@@ -212,6 +212,25 @@ TEST_F(MarrowCommand, CorrespondWritesOneRowPerMatch)
   EXPECT_GE(branches, 6);
 }
 
+TEST_F(MarrowCommand, CorrespondHasTwoMatchers)
+{
+  this->WriteOFF(Creature(1), "source.off");
+  this->WriteOFF(Creature(2), "target.off");
+  this->ExpectSuccess("correspond source.off target.off -o tree.csv --matcher tree");
+  this->ExpectSuccess("correspond source.off target.off -o default.csv");
+  EXPECT_EQ(Content(this->Folder / "tree.csv"), Content(this->Folder / "default.csv"));
+  this->ExpectSuccess("correspond source.off target.off -o electors.csv --matcher electors");
+  std::istringstream table(Content(this->Folder / "electors.csv"));
+  int nodes = 0;
+  for (std::string line; std::getline(table, line);)
+  {
+    nodes += line.rfind("node,", 0) == 0 ? 1 : 0;
+    // One to one: no lists of merged nodes.
+    EXPECT_TRUE(line.rfind("node,", 0) != 0 || line.find(' ') == std::string::npos) << line;
+  }
+  EXPECT_GE(nodes, 5);
+}
+
 TEST_F(MarrowCommand, TransferToOneTargetWritesAFile)
 {
   this->WriteOFF(Creature(1), "source.off");

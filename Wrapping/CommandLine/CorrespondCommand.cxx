@@ -51,6 +51,9 @@ CLI::App* CorrespondCommand::Declare(CLI::App& marrow)
   app->add_option("target", this->Target, "Target mesh")->required();
   app->add_option("-o,--output", this->Output, "Table of the matched nodes and branches (.csv)")
     ->required();
+  app->add_option("--matcher", this->Matcher, "Correspondence tree or electors voting")
+    ->check(CLI::IsMember({ "tree", "electors" }))
+    ->capture_default_str();
   app
     ->add_option("--skeletons", this->Skeletons,
       "Where to write the two matched skeletons (.vtp), to be drawn by marrow render")
@@ -80,6 +83,9 @@ void CorrespondCommand::Run(Console& console)
   console.Update(target, this->Target);
 
   vtkNew<vtkSkeletonCorrespondence> correspondence;
+  correspondence->SetMatcher(this->Matcher == "electors"
+      ? vtkSkeletonCorrespondence::ELECTORS_VOTING
+      : vtkSkeletonCorrespondence::CORRESPONDENCE_TREE);
   correspondence->SetInputConnection(0, source->GetOutputPort(0));
   correspondence->SetInputConnection(1, target->GetOutputPort(0));
   console.Update(correspondence, this->Source + " and " + this->Target);

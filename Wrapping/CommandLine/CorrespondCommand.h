@@ -18,6 +18,7 @@ private:
   std::string Source;
   std::string Target;
   std::string Output;
+  std::string Matcher = "tree";
   std::vector<std::string> Skeletons;
 };
 
