@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMSPSkeleton.h"
 
-#include "ArrayNames.h"
-#include "FilterSupport.h"
 #include "MSPSkeleton.h"
-#include "MeshBridge.h"
-#include "RequiredMeasures.h"
-#include "SkeletonBridge.h"
+#include "SkeletonRequest.h"
 
-#include <vtkInformation.h>
-#include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
 
 #include <string>
 
 vtkStandardNewMacro(vtkMSPSkeleton);
-
-namespace
-{
-constexpr double ProgressAfterMeasures = 0.6;
-}
 
 vtkMSPSkeleton::vtkMSPSkeleton()
 {
@@ -31,47 +18,18 @@ vtkMSPSkeleton::vtkMSPSkeleton()
 int vtkMSPSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* skeletonOutput = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* meshOutput = vtkPolyData::GetData(outputVector, 1);
-  if (marrow::IsIdleProcess(outputVector, input))
+  marrow::SkeletonRequest request;
+  // Most of the time goes into the measures.
+  request.ProgressAfterMeasures = 0.6;
+  request.Compute = [this](const marrow::TriangleMesh& mesh,
+                      const marrow::SkeletonMeasures& measures, const marrow::Progress& progress,
+                      marrow::Skeleton& skeleton)
   {
-    return 1;
-  }
-
-  marrow::TriangleMesh mesh;
-  marrow::MeshReport report;
-  std::string error = marrow::ToManifoldMesh(input, mesh, report);
-  if (!error.empty())
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-
-  meshOutput->ShallowCopy(input);
-  marrow::SkeletonMeasures measures;
-  error = marrow::RequireMeasures(this, 0.0, ProgressAfterMeasures, meshOutput, measures);
-  if (!error.empty())
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-  if (marrow::IsAborted(this))
-  {
-    return 1;
-  }
-
-  const marrow::Skeleton skeleton = marrow::ComputeMSPSkeleton(mesh, measures, this->FinestArea,
-    this->NodeSpacing * mesh.BoundingBoxDiagonal(),
-    marrow::ProgressOf(this, ProgressAfterMeasures, 1.0));
-  if (marrow::IsAborted(this))
-  {
-    return 1;
-  }
-  marrow::ToPolyData(skeleton, skeletonOutput);
-  marrow::SetIdArray(meshOutput->GetPointData(), marrow::names::SkeletonNodeId,
-    marrow::NodeOfVertices(skeleton, mesh.NumberOfVertices()));
-  return 1;
+    skeleton = marrow::ComputeMSPSkeleton(
+      mesh, measures, this->FinestArea, this->NodeSpacing * mesh.BoundingBoxDiagonal(), progress);
+    return std::string();
+  };
+  return marrow::RunSkeletonRequest(this, request, inputVector, outputVector);
 }
 
 void vtkMSPSkeleton::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BranchAssignment.h"
 
+#include "Constants.h"
 #include "LinearAssignment.h"
 
 #include <Eigen/Dense>
@@ -13,7 +14,6 @@ namespace marrow
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumEnumeration = 720;
 
 double SquaredAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)

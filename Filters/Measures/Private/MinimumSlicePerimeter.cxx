@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MinimumSlicePerimeter.h"
 
+#include "Constants.h"
 #include "ParallelFor.h"
 #include "SliceWalker.h"
 #include "SurfaceMeasures.h"
@@ -18,7 +19,6 @@ namespace
 // fixed, so that the order of trying does not depend on the number of threads.
 constexpr int VerticesPerBlock = 128;
 constexpr int BlocksPerReport = 32;
-constexpr double Pi = 3.14159265358979323846;
 
 /// The best slice of a vertex so far.
 struct Best

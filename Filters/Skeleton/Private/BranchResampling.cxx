@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BranchResampling.h"
 
+#include "Constants.h"
 #include "PatchConnectivity.h"
 
 #include <Eigen/SparseCholesky>
@@ -21,7 +22,6 @@ constexpr int Reach = 3;
 constexpr double TowardsTip = 0.7;
 /// The part of the cap, from its outermost point, that counts as the tip.
 constexpr double EndOfCap = 0.8;
-constexpr double Pi = 3.14159265358979323846;
 /// A node without φ still holds its place by this share of the mean, so that the system is definite.
 constexpr double LeastHold = 1e-3;
 constexpr double FixedHold = 1e3;

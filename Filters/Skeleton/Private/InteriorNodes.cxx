@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InteriorNodes.h"
 
+#include "Constants.h"
 #include "ParallelFor.h"
 
 #include <Eigen/Geometry>
@@ -15,7 +16,6 @@ namespace marrow
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// Whether the rays from `point` along +x, +y and +z all leave the mesh an odd number of times. Cheap,
 /// and wrong only where a ray grazes an edge: a point for which it is false is looked at again.
 bool RaysSayInside(const TriangleMesh& mesh, const Eigen::Vector3d& point)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShrunkMesh.h"
 
+#include "Constants.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -15,7 +17,6 @@ namespace marrow
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// dMSP / ds on a cone of 30° half-angle: 2π sin 30°.
 constexpr double HonestSlope = Pi;
 /// Length of smoothing over the local radius.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpurPruning.h"
 
+#include "Constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,7 +11,6 @@ namespace marrow
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double LimbProminence = 1.25;
 constexpr double Window = 1.6;
 

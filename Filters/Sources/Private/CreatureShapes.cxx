@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Creature.h"
 
+#include "Constants.h"
+
 #include <cmath>
 
 namespace marrow
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 Limb MakeLimb(int segment, int parent, int parentJoint, double blend, std::vector<Joint> joints)
 {
   Limb limb;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshRelaxation.h"
 
+#include "Constants.h"
 #include "ParallelFor.h"
 
 #include <Eigen/Geometry>
@@ -33,7 +34,6 @@ int Valence(const TriangleMesh& mesh, int vertex)
 /// Whether the edge of half-edge h should be the other diagonal of its two triangles, and may be.
 bool ShouldFlip(const TriangleMesh& mesh, int h)
 {
-  constexpr double Pi = 3.14159265358979323846;
   const int a = mesh.From(h);
   const int b = mesh.To(h);
   const int c = mesh.From(TriangleMesh::Previous(h));
