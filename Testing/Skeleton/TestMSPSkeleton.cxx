@@ -2,13 +2,11 @@
 #include "ErrorObserver.h"
 #include "InteriorNodes.h"
 #include "MeshCheck.h"
-#include "TestMeshes.h"
+#include "SkeletonResult.h"
 
 #include <gtest/gtest.h>
 
 #include <vtkAppendPolyData.h>
-#include <vtkDoubleArray.h>
-#include <vtkMSPField.h>
 #include <vtkMSPSkeleton.h>
 #include <vtkSMPTools.h>
 
@@ -19,15 +17,7 @@ namespace
 {
 using namespace marrow;
 
-struct Result
-{
-  marrow::Skeleton Skeleton;
-  vtkSmartPointer<vtkPolyData> Mesh;
-  vtkSmartPointer<vtkPolyData> PolyData;
-  int Terminals = 0;
-};
-
-Result Skeletonize(vtkPolyData* mesh, double finestArea = -1.0)
+test::SkeletonResult Skeletonize(vtkPolyData* mesh, double finestArea = -1.0)
 {
   vtkNew<vtkMSPSkeleton> filter;
   if (finestArea >= 0.0)
@@ -35,50 +25,20 @@ Result Skeletonize(vtkPolyData* mesh, double finestArea = -1.0)
     filter->SetFinestArea(finestArea);
   }
   filter->SetInputData(mesh);
-  filter->Update();
-  Result result;
-  result.PolyData = filter->GetOutput(0);
-  result.Mesh = filter->GetOutput(1);
-  EXPECT_EQ(ToSkeleton(result.PolyData, result.Skeleton), "");
-  std::vector<int> node;
-  EXPECT_TRUE(GetArray(result.Mesh->GetPointData(), names::SkeletonNodeId,
-    static_cast<int>(mesh->GetNumberOfPoints()), node));
-  EXPECT_TRUE(SetNodeOfVertices(result.Skeleton, node));
-  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
-  {
-    result.Terminals += result.Skeleton.TypeOf(n) == NodeType::Terminal;
-  }
-  return result;
+  return test::SkeletonResult(filter.Get());
 }
 
 TEST(MSPSkeleton, CylinderGivesItsAxis)
 {
   const double length = 12.0;
-  const Result result = Skeletonize(test::ToPolyData(test::MakeCylinder(1.0, length, 40, 100)));
-  EXPECT_EQ(result.Terminals, 2);
-  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
-  EXPECT_GT(result.Skeleton.TotalLength(), 0.85 * length);
-  EXPECT_LT(result.Skeleton.TotalLength(), 1.02 * length);
-  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
-  {
-    const SkeletonNode& node = result.Skeleton.Graph[n];
-    EXPECT_LT(std::hypot(node.Position.x(), node.Position.y()), 0.05);
-    if (std::abs(node.Position.z()) < 0.35 * length)
-    {
-      EXPECT_NEAR(node.Radius, 1.0, 0.05);
-      EXPECT_NEAR(node.MSP, 2.0 * test::Pi, 0.1);
-    }
-  }
+  test::ExpectCylinderAxis(
+    Skeletonize(test::ToPolyData(test::MakeCylinder(1.0, length, 40, 100))), length, 0.85, 0.05);
 }
 
 TEST(MSPSkeleton, TorusGivesOneClosedBranch)
 {
-  const Result result = Skeletonize(test::ToPolyData(test::MakeTorus(3.0, 1.0, 80, 30)));
-  EXPECT_EQ(result.Terminals, 0);
-  EXPECT_EQ(result.Skeleton.NumberOfLoops(), 1);
-  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
-  EXPECT_TRUE(result.Skeleton.Branches[0].IsLoop());
-  EXPECT_NEAR(result.Skeleton.TotalLength(), 2.0 * test::Pi * 3.0, 0.05 * 2.0 * test::Pi * 3.0);
+  test::ExpectOneClosedBranch(
+    Skeletonize(test::ToPolyData(test::MakeTorus(3.0, 1.0, 80, 30))), 3.0);
 }
 
 struct Expected
@@ -102,7 +62,7 @@ TEST_P(Creatures, TerminalsAreTheExtremities)
     options.Proportion = seed == 1 ? 0.0 : 0.7;
     options.Faces = seed % 2 == 0 ? 5000 : 12000;
     const test::Creature creature = test::MakeCreature(GetParam().Shape, options);
-    const Result result = Skeletonize(creature.Mesh);
+    const test::SkeletonResult result = Skeletonize(creature.Mesh);
     EXPECT_EQ(result.Terminals, GetParam().Terminals) << "seed " << seed;
     EXPECT_EQ(result.Skeleton.NumberOfLoops(), GetParam().Loops) << "seed " << seed;
     EXPECT_EQ(result.Skeleton.NumberOfComponents(), 1) << "seed " << seed;
@@ -144,7 +104,7 @@ TEST_P(Creatures, TerminalsAreTheExtremities)
 TEST_P(Creatures, NodesAreInsideAndPatchesArePartsOfTheMesh)
 {
   const test::Creature creature = test::MakeCreature(GetParam().Shape);
-  const Result result = Skeletonize(creature.Mesh);
+  const test::SkeletonResult result = Skeletonize(creature.Mesh);
   TriangleMesh mesh;
   ASSERT_EQ(ToTriangleMesh(creature.Mesh, mesh), "");
 
@@ -228,12 +188,12 @@ TEST(MSPSkeleton, TheSameOnAnyNumberOfThreads)
 TEST(MSPSkeleton, TurnsScalesAndDoesNotDependOnTheOrder)
 {
   const test::Creature creature = test::MakeCreature(vtkCreatureSource::QUADRUPED);
-  const Result reference = Skeletonize(creature.Mesh);
+  const test::SkeletonResult reference = Skeletonize(creature.Mesh);
   const Eigen::AngleAxisd turn(1.1, Eigen::Vector3d(1.0, 2.0, -0.5).normalized());
-  const Result turned = Skeletonize(test::Transformed(
+  const test::SkeletonResult turned = Skeletonize(test::Transformed(
     creature.Mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 7.0 * (turn * p); }));
-  const Result permuted = Skeletonize(test::Permuted(creature.Mesh, 5).Mesh);
-  for (const Result* other : { &turned, &permuted })
+  const test::SkeletonResult permuted = Skeletonize(test::Permuted(creature.Mesh, 5).Mesh);
+  for (const test::SkeletonResult* other : { &turned, &permuted })
   {
     EXPECT_EQ(other->Terminals, reference.Terminals);
     EXPECT_EQ(other->Skeleton.NumberOfBranches(), reference.Skeleton.NumberOfBranches());
@@ -273,7 +233,7 @@ TEST(MSPSkeleton, AnOpenMeshIsTreatedLikeTheClosedOne)
       open.Triangles.push_back(mesh.Triangles[t]);
     }
   }
-  const Result result = Skeletonize(test::ToPolyData(open));
+  const test::SkeletonResult result = Skeletonize(test::ToPolyData(open));
   EXPECT_EQ(result.Terminals, 2);
   EXPECT_EQ(result.Skeleton.NumberOfLoops(), 0);
   EXPECT_GT(result.Skeleton.TotalLength(), 0.85 * 12.0);
@@ -288,35 +248,22 @@ TEST(MSPSkeleton, ComponentsGiveSkeletonsOfTheirOwn)
   append->AddInputData(one);
   append->AddInputData(two);
   append->Update();
-  const Result result = Skeletonize(append->GetOutput());
+  const test::SkeletonResult result = Skeletonize(append->GetOutput());
   EXPECT_EQ(result.Skeleton.NumberOfComponents(), 2);
   EXPECT_EQ(result.Terminals, 4);
 }
 
 TEST(MSPSkeleton, UsesTheMeasuresThatAreThere)
 {
-  const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 10.0, 24, 60));
-  vtkNew<vtkMSPField> field;
-  field->SetInputData(mesh);
-  field->Update();
-  vtkNew<vtkPolyData> changed;
-  changed->DeepCopy(field->GetOutput());
-  vtkDataArray* agd = changed->GetPointData()->GetArray(names::AGD);
-  agd->Fill(0.625);
-  const Result result = Skeletonize(changed);
-  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
-  {
-    EXPECT_DOUBLE_EQ(result.Skeleton.Graph[n].AGD, 0.625);
-  }
+  const auto mesh = test::WithMeasures(test::ToPolyData(test::MakeCylinder(1.0, 10.0, 24, 60)));
+  mesh->GetPointData()->GetArray(names::AGD)->Fill(0.625);
+  test::ExpectAGD(Skeletonize(mesh), 0.625);
 }
 
 TEST(MSPSkeleton, KeepsTheUsersArraysAndNumbers)
 {
   const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
-  const Result result = Skeletonize(creature.Mesh);
-  EXPECT_EQ(result.Mesh->GetCellData()->GetArray(names::SegmentId),
-    creature.Mesh->GetCellData()->GetArray(names::SegmentId));
-  EXPECT_EQ(result.Mesh->GetPoints(), creature.Mesh->GetPoints());
+  test::ExpectKept(creature.Mesh, Skeletonize(creature.Mesh));
 }
 
 TEST(MSPSkeleton, SaysWhatIsWrong)
@@ -340,12 +287,7 @@ TEST(MSPSkeleton, SaysWhatIsWrong)
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
 
   errors.Clear();
-  const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 10.0, 12, 20));
-  vtkNew<vtkMSPField> field;
-  field->SetInputData(mesh);
-  field->Update();
-  vtkNew<vtkPolyData> broken;
-  broken->DeepCopy(field->GetOutput());
+  const auto broken = test::WithMeasures(test::ToPolyData(test::MakeCylinder(1.0, 10.0, 12, 20)));
   broken->GetPointData()->GetArray(names::MSP)->SetTuple1(7, std::nan(""));
   filter->SetInputData(broken);
   filter->Update();
@@ -357,15 +299,7 @@ TEST(MSPSkeleton, StopsWhenAsked)
   const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
   vtkNew<vtkMSPSkeleton> filter;
   filter->SetInputData(creature.Mesh);
-  struct Abort : vtkCommand
-  {
-    static Abort* New() { return new Abort; }
-    void Execute(vtkObject* caller, unsigned long, void*) override
-    {
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-    }
-  };
-  vtkNew<Abort> abort;
+  vtkNew<test::AbortObserver> abort;
   filter->AddObserver(vtkCommand::ProgressEvent, abort);
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);

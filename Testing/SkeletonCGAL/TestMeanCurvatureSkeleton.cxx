@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorObserver.h"
-#include "TestMeshes.h"
+#include "SkeletonResult.h"
 
 #include <gtest/gtest.h>
 
 #include <vtkAppendPolyData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkMSPField.h>
 #include <vtkMeanCurvatureSkeleton.h>
 #include <vtkSegmentationTransfer.h>
 #include <vtkSkeletonCorrespondence.h>
@@ -19,62 +16,24 @@ namespace
 {
 using namespace marrow;
 
-struct Result
-{
-  marrow::Skeleton Skeleton;
-  std::vector<int> NodeOfVertex;
-  vtkSmartPointer<vtkPolyData> Mesh;
-  vtkSmartPointer<vtkPolyData> PolyData;
-  int Terminals = 0;
-};
-
-Result Skeletonize(vtkPolyData* mesh)
+test::SkeletonResult Skeletonize(vtkPolyData* mesh)
 {
   vtkNew<vtkMeanCurvatureSkeleton> filter;
   filter->SetInputData(mesh);
-  filter->Update();
-  Result result;
-  result.PolyData = filter->GetOutput(0);
-  result.Mesh = filter->GetOutput(1);
-  EXPECT_EQ(ToSkeleton(result.PolyData, result.Skeleton), "");
-  EXPECT_TRUE(GetArray(result.Mesh->GetPointData(), names::SkeletonNodeId,
-    static_cast<int>(mesh->GetNumberOfPoints()), result.NodeOfVertex));
-  EXPECT_TRUE(SetNodeOfVertices(result.Skeleton, result.NodeOfVertex));
-  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
-  {
-    result.Terminals += result.Skeleton.TypeOf(n) == NodeType::Terminal;
-  }
-  return result;
+  return test::SkeletonResult(filter.Get());
 }
 
 TEST(MeanCurvatureSkeleton, CylinderGivesItsAxis)
 {
   const double length = 12.0;
-  const Result result = Skeletonize(test::ToPolyData(test::MakeCylinder(1.0, length, 32, 80)));
-  EXPECT_EQ(result.Terminals, 2);
-  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
-  EXPECT_GT(result.Skeleton.TotalLength(), 0.8 * length);
-  EXPECT_LT(result.Skeleton.TotalLength(), 1.02 * length);
-  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
-  {
-    const SkeletonNode& node = result.Skeleton.Graph[n];
-    EXPECT_LT(std::hypot(node.Position.x(), node.Position.y()), 0.1);
-    if (std::abs(node.Position.z()) < 0.35 * length)
-    {
-      EXPECT_NEAR(node.Radius, 1.0, 0.05);
-      EXPECT_NEAR(node.MSP, 2.0 * test::Pi, 0.1);
-    }
-  }
+  test::ExpectCylinderAxis(
+    Skeletonize(test::ToPolyData(test::MakeCylinder(1.0, length, 32, 80))), length, 0.8, 0.1);
 }
 
 TEST(MeanCurvatureSkeleton, TorusGivesOneClosedBranch)
 {
-  const Result result = Skeletonize(test::ToPolyData(test::MakeTorus(3.0, 1.0, 80, 30)));
-  EXPECT_EQ(result.Terminals, 0);
-  EXPECT_EQ(result.Skeleton.NumberOfLoops(), 1);
-  ASSERT_EQ(result.Skeleton.NumberOfBranches(), 1);
-  EXPECT_TRUE(result.Skeleton.Branches[0].IsLoop());
-  EXPECT_NEAR(result.Skeleton.TotalLength(), 2.0 * test::Pi * 3.0, 0.05 * 2.0 * test::Pi * 3.0);
+  test::ExpectOneClosedBranch(
+    Skeletonize(test::ToPolyData(test::MakeTorus(3.0, 1.0, 80, 30))), 3.0);
 }
 
 class Creatures : public testing::TestWithParam<std::pair<int, int>>
@@ -85,7 +44,7 @@ TEST_P(Creatures, LoopsAreTheGenusAndEveryVertexHasItsNode)
 {
   const auto [shape, genus] = GetParam();
   const test::Creature creature = test::MakeCreature(shape);
-  const Result result = Skeletonize(creature.Mesh);
+  const test::SkeletonResult result = Skeletonize(creature.Mesh);
   EXPECT_EQ(result.Skeleton.NumberOfLoops(), genus);
   EXPECT_EQ(result.Skeleton.NumberOfComponents(), 1);
 
@@ -131,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(MeanCurvatureSkeleton, Creatures,
 TEST(MeanCurvatureSkeleton, TheSameInEveryRun)
 {
   const test::Creature creature = test::MakeCreature(vtkCreatureSource::QUADRUPED);
-  const Result reference = Skeletonize(creature.Mesh);
+  const test::SkeletonResult reference = Skeletonize(creature.Mesh);
   // Freed in disorder, so that the next run gets its memory in another order.
   std::vector<std::unique_ptr<char[]>> blocks;
   for (int i = 0; i < 100000; ++i)
@@ -142,7 +101,7 @@ TEST(MeanCurvatureSkeleton, TheSameInEveryRun)
   {
     blocks[i].reset();
   }
-  const Result again = Skeletonize(creature.Mesh);
+  const test::SkeletonResult again = Skeletonize(creature.Mesh);
   EXPECT_EQ(again.NodeOfVertex, reference.NodeOfVertex);
   ASSERT_EQ(again.Skeleton.NumberOfNodes(), reference.Skeleton.NumberOfNodes());
   for (int n = 0; n < again.Skeleton.NumberOfNodes(); ++n)
@@ -154,10 +113,10 @@ TEST(MeanCurvatureSkeleton, TheSameInEveryRun)
 TEST(MeanCurvatureSkeleton, DoesNotDependOnTheUnit)
 {
   const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 12.0, 24, 60));
-  const Result reference = Skeletonize(mesh);
+  const test::SkeletonResult reference = Skeletonize(mesh);
   for (const double scale : { 1e-7, 3e6 })
   {
-    const Result scaled = Skeletonize(test::Transformed(
+    const test::SkeletonResult scaled = Skeletonize(test::Transformed(
       mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return scale * p; }));
     EXPECT_EQ(scaled.Terminals, 2) << scale;
     EXPECT_EQ(scaled.Skeleton.NumberOfBranches(), 1) << scale;
@@ -209,7 +168,7 @@ TEST(MeanCurvatureSkeleton, PointsWithoutTrianglesHaveNoNode)
   {
     triangle = { triangle[0] + 1, triangle[1] + 1, triangle[2] + 1 };
   }
-  const Result result = Skeletonize(test::ToPolyData(cylinder));
+  const test::SkeletonResult result = Skeletonize(test::ToPolyData(cylinder));
   EXPECT_EQ(result.NodeOfVertex[0], -1);
   // The numbers of the others are not shifted: φ lies round its node.
   for (int v = 1; v < cylinder.NumberOfVertices(); ++v)
@@ -222,21 +181,11 @@ TEST(MeanCurvatureSkeleton, PointsWithoutTrianglesHaveNoNode)
 
 TEST(MeanCurvatureSkeleton, UsesTheMeasuresThatAreThereAndKeepsTheUsersArrays)
 {
-  const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
-  vtkNew<vtkMSPField> field;
-  field->SetInputData(creature.Mesh);
-  field->Update();
-  vtkNew<vtkPolyData> changed;
-  changed->DeepCopy(field->GetOutput());
-  changed->GetPointData()->GetArray(names::AGD)->Fill(0.625);
-  const Result result = Skeletonize(changed);
-  for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
-  {
-    EXPECT_DOUBLE_EQ(result.Skeleton.Graph[n].AGD, 0.625);
-  }
-  EXPECT_EQ(result.Mesh->GetCellData()->GetArray(names::SegmentId),
-    changed->GetCellData()->GetArray(names::SegmentId));
-  EXPECT_EQ(result.Mesh->GetPoints(), changed->GetPoints());
+  const auto mesh = test::WithMeasures(test::MakeCreature(vtkCreatureSource::SNAKE).Mesh);
+  mesh->GetPointData()->GetArray(names::AGD)->Fill(0.625);
+  const test::SkeletonResult result = Skeletonize(mesh);
+  test::ExpectAGD(result, 0.625);
+  test::ExpectKept(mesh, result);
 }
 
 TEST(MeanCurvatureSkeleton, StandsForTheMSPSkeleton)
@@ -246,8 +195,8 @@ TEST(MeanCurvatureSkeleton, StandsForTheMSPSkeleton)
   options.Pose = 0.4;
   options.Seed = 2;
   const test::Creature target = test::MakeCreature(vtkCreatureSource::QUADRUPED, options);
-  const Result sourceResult = Skeletonize(source.Mesh);
-  const Result targetResult = Skeletonize(target.Mesh);
+  const test::SkeletonResult sourceResult = Skeletonize(source.Mesh);
+  const test::SkeletonResult targetResult = Skeletonize(target.Mesh);
 
   vtkNew<vtkSkeletonCorrespondence> correspondence;
   test::ErrorObserver errors(correspondence);
@@ -310,11 +259,7 @@ TEST(MeanCurvatureSkeleton, SaysWhatIsWrong)
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
 
   errors.Clear();
-  vtkNew<vtkMSPField> field;
-  field->SetInputData(one);
-  field->Update();
-  vtkNew<vtkPolyData> broken;
-  broken->DeepCopy(field->GetOutput());
+  const auto broken = test::WithMeasures(one);
   broken->GetPointData()->GetArray(names::MSP)->SetTuple1(7, std::nan(""));
   filter->SetInputData(broken);
   filter->Update();
@@ -336,24 +281,11 @@ TEST(MeanCurvatureSkeleton, StopsWhenAsked)
 {
   const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
   // Measures are there, so that it is the contraction that is stopped.
-  vtkNew<vtkMSPField> field;
-  field->SetInputData(creature.Mesh);
-  field->Update();
   vtkNew<vtkMeanCurvatureSkeleton> filter;
   test::ErrorObserver errors(filter);
-  filter->SetInputData(field->GetOutput());
-  struct Abort : vtkCommand
-  {
-    static Abort* New() { return new Abort; }
-    void Execute(vtkObject* caller, unsigned long, void* fraction) override
-    {
-      if (*static_cast<double*>(fraction) > 0.2)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    }
-  };
-  vtkNew<Abort> abort;
+  filter->SetInputData(test::WithMeasures(creature.Mesh));
+  vtkNew<test::AbortObserver> abort;
+  abort->After = 0.2;
   filter->AddObserver(vtkCommand::ProgressEvent, abort);
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
