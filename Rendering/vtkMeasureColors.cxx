@@ -17,8 +17,8 @@ vtkStandardNewMacro(vtkMeasureColors);
 namespace
 {
 constexpr int TableSize = 256;
-constexpr double UpperPercentile = 0.98;
-constexpr double FarAbove = 1.5;
+constexpr double UpperPercentile = 0.95;
+constexpr double FarAbove = 3.0;
 
 using Knots = std::vector<std::array<unsigned char, 3>>;
 
@@ -109,10 +109,9 @@ void vtkMeasureColors::SetUpScalarBar(
   bar->SetLookupTable(table);
   bar->SetTitle(title);
   bar->SetOrientationToHorizontal();
-  bar->SetNumberOfLabels(3);
+  bar->SetNumberOfLabels(2);
   bar->SetLabelFormat("%.3g");
   bar->UnconstrainedFontSizeOn();
-  bar->SetVerticalTitleSeparation(fontSize);
   for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
   {
     text->SetColor(0.1, 0.1, 0.1);

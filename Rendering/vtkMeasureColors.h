@@ -7,8 +7,8 @@
  * dark to bright, which everybody tells apart also in grey. Those that do, as dihedral angles, go
  * from blue over white (0) to vermilion. Vectors are coloured by their length.
  *
- * MSP and its gradient have a few values far above the others. So the colours end at the 98th
- * percentile of what is there if the largest value is more than 1.5 times as large, and at the
+ * MSP and its gradient have a few values far above the others. So the colours end at the 95th
+ * percentile of what is there if the largest value is more than 3 times as large, and at the
  * largest value otherwise.
  */
 #ifndef vtkMeasureColors_h

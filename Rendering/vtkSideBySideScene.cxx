@@ -208,6 +208,11 @@ bool vtkSideBySideScene::Fill(vtkRenderWindow* window, int pixelScale)
 
   const marrow::SceneStyle style = { this->LabelArrayName ? this->LabelArrayName : "",
     this->SurfaceOpacity, this->ColorSkeletonBy, this->TileWidth, this->TileHeight, pixelScale };
+  // White also where a row has fewer tiles.
+  vtkNew<vtkRenderer> background;
+  background->SetBackground(1.0, 1.0, 1.0);
+  background->InteractiveOff();
+  window->AddRenderer(background);
   std::vector<vtkRenderer*>& renderers = this->Internals->Renderers;
   renderers.clear();
   for (int i = 0; i < count; ++i)

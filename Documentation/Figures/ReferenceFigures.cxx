@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Figures.h"
+
+#include <vtkLabelColors.h>
+
+#include <cmath>
+
+namespace figures
+{
+namespace
+{
+Picture DrawCreatures(const std::string&)
+{
+  const auto scene = Scene(220, 220);
+  scene->AlignOff();
+  scene->SetColumns(4);
+  scene->SetViewDirection(0.6, 0.0, 0.8);
+  scene->SetAzimuth(-15);
+  const char* names[] = { "biped", "quadruped", "octopus", "chair", "snake", "torus", "capsule" };
+  for (int shape = 0; shape < 7; ++shape)
+  {
+    scene->AddMesh(
+      Creature(shape, 1, shape == vtkCreatureSource::SNAKE ? 0.6 : 0.0), nullptr, names[shape]);
+  }
+  return Drawn(scene);
+}
+
+/// As seen with deuteranopia (Machado, Oliveira and Fernandes 2009).
+Color WithoutGreen(const Color& color)
+{
+  const double matrix[3][3] = { { 0.367322, 0.860646, -0.227968 }, { 0.280085, 0.672501, 0.047413 },
+    { -0.011820, 0.042940, 0.968881 } };
+  Color seen;
+  for (int row = 0; row < 3; ++row)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double c = color[k];
+      sum += matrix[row][k] * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    sum = std::fmin(std::fmax(sum, 0.0), 1.0);
+    seen[row] = sum <= 0.0031308 ? 12.92 * sum : 1.055 * std::pow(sum, 1 / 2.4) - 0.055;
+  }
+  return seen;
+}
+
+Picture DrawLabels(const std::string&)
+{
+  constexpr int side = 50;
+  Canvas canvas(200 + 12 * side, 4 * side + 60);
+  for (int label = 0; label < 24; ++label)
+  {
+    Color color;
+    vtkLabelColors::GetColor(label, color.data());
+    const double x = 180.0 + side * (label % 12);
+    for (int row = 0; row < 2; ++row)
+    {
+      const double y = 20.0 + side * (3 - row - 2 * (label / 12)) + (label < 12 ? 20.0 : 0.0);
+      const Color shown = row == 0 ? color : WithoutGreen(color);
+      canvas.Box({ x, y }, { x + side - 4, y + side - 4 }, shown);
+      const double brightness = 0.3 * shown[0] + 0.6 * shown[1] + 0.1 * shown[2];
+      canvas.Text({ x + side / 2 - 2, y + side / 2 - 2 }, std::to_string(label), 15,
+        Canvas::Align::Center, brightness > 0.5 ? Black : Color{ 1.0, 1.0, 1.0 });
+    }
+  }
+  for (int half = 0; half < 2; ++half)
+  {
+    const double y = 20.0 + side * (2 - 2 * half) + (half == 0 ? 20.0 : 0.0);
+    canvas.Text({ 165, y + 1.5 * side }, "colours", 15, Canvas::Align::Right);
+    canvas.Text({ 165, y + 0.5 * side }, "with deuteranopia", 15, Canvas::Align::Right);
+  }
+  return canvas.Draw();
+}
+}
+
+Drawings ReferenceFigures()
+{
+  return { { "creatures", DrawCreatures }, { "labels", DrawLabels } };
+}
+}
