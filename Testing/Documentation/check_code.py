@@ -51,7 +51,7 @@ class ShellCheck:
         if re.match(r"\.?/?build[\w-]*/bin/", program):
             if os.path.basename(program) not in self.targets:
                 yield f"nothing builds {program}"
-        elif "/" in program and not program.startswith("/"):
+        elif "/" in program and not program.startswith(("/", "install")):
             path = os.path.join(self.root, program)
             if not os.access(path, os.X_OK) or os.path.isdir(path):
                 yield f"{program} is no program of the project"
