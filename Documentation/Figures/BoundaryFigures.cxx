@@ -114,36 +114,59 @@ Carried Carry(const Matched& pair, int label, double lambda, double searchRegion
 
 // Ghost boundaries
 
-/// Two animals whose parts are less even than those of creatures.
-const Matched& Animals(const std::string& meshes)
-{
-  static const Matched matched =
-    MatchCreatures(ReadMesh(meshes, "camel"), ReadMesh(meshes, "bull"));
-  return matched;
-}
-
-/// Of the limbs with a pair of ghost boundaries the one with most of them on the source.
-const marrow::ChainPair& ProfiledChain(const Matched& pair)
+/// The limb with a pair of ghost boundaries whose tip is nearest to the eye (z).
+const marrow::ChainPair& PairedLimb(const Matched& pair)
 {
   const marrow::TransferParameters defaults;
-  const marrow::ChainPair* best = &pair.Match.Chains.front();
-  std::size_t most = 0;
+  const marrow::ChainPair* best = nullptr;
+  double nearest = -std::numeric_limits<double>::infinity();
   for (const marrow::ChainPair& chain : pair.Match.Chains)
   {
-    const auto source =
-      marrow::FindGhostBoundaries(pair.SourceMesh, chain.Source, defaults.Theta, defaults.Kernel);
-    const auto target =
-      marrow::FindGhostBoundaries(pair.TargetMesh, chain.Target, defaults.Theta, defaults.Kernel);
-    const bool isLimb = pair.SourceMesh.Skeleton.TypeOf(chain.Source.Front()) !=
-      pair.SourceMesh.Skeleton.TypeOf(chain.Source.Back());
-    if (isLimb && marrow::MatchGhostBoundaries(source, target) && source.size() > most)
+    const auto landmark = marrow::MatchGhostBoundaries(
+      marrow::FindGhostBoundaries(pair.SourceMesh, chain.Source, defaults.Theta, defaults.Kernel),
+      marrow::FindGhostBoundaries(pair.TargetMesh, chain.Target, defaults.Theta, defaults.Kernel));
+    for (const int end : { chain.Source.Front(), chain.Source.Back() })
     {
-      most = source.size();
-      best = &chain;
+      const double z = pair.SourceMesh.Skeleton.Graph[end].Position.z();
+      if (landmark && z > nearest &&
+        pair.SourceMesh.Skeleton.TypeOf(end) == marrow::NodeType::Terminal)
+      {
+        nearest = z;
+        best = &chain;
+      }
     }
+  }
+  if (!best)
+  {
+    throw std::runtime_error("No limb has a pair of ghost boundaries.");
   }
   return *best;
 }
+
+/// A camel, and its head and neck: the branch to the highest terminal.
+struct CamelNeck
+{
+  explicit CamelNeck(const std::string& meshes)
+    : Camel(Analyze(ReadMesh(meshes, "camel")))
+  {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const marrow::Branch& branch : this->Camel.Skeleton.Branches)
+    {
+      for (const int end : { branch.Front(), branch.Back() })
+      {
+        const double height = this->Camel.Skeleton.Graph[end].Position.y();
+        if (height > highest && this->Camel.Skeleton.TypeOf(end) == marrow::NodeType::Terminal)
+        {
+          highest = height;
+          this->Neck = branch;
+        }
+      }
+    }
+  }
+
+  marrow::AnalyzedMesh Camel;
+  marrow::Branch Neck;
+};
 
 std::vector<Point> ProfileOf(
   const marrow::AnalyzedMesh& side, const marrow::Branch& chain, double kernel)
@@ -183,10 +206,10 @@ void DrawProfile(Canvas& canvas, Axes& axes, const std::vector<Point>& profile,
   }
 }
 
-Picture DrawGhostProfile(const std::string& meshes)
+Picture DrawGhostProfile(const std::string&)
 {
-  const Matched& pair = Animals(meshes);
-  const marrow::ChainPair& chain = ProfiledChain(pair);
+  const Matched& pair = Quadrupeds();
+  const marrow::ChainPair& chain = PairedLimb(pair);
   const marrow::TransferParameters defaults;
   const std::vector<Point> profiles[2] = { ProfileOf(
                                              pair.SourceMesh, chain.Source, defaults.Kernel),
@@ -212,14 +235,17 @@ Picture DrawGhostProfile(const std::string& meshes)
       }
       return axes.At(ratio, 0.0);
     };
-    canvas.Lines({ ofRatio(0, landmark->Source), ofRatio(1, landmark->Target) }, Black, 2);
+    for (const Point& place : { ofRatio(0, landmark->Source), ofRatio(1, landmark->Target) })
+    {
+      canvas.Disk(place, 10, Black);
+    }
   }
   DrawProfile(canvas, axes, profiles[0], ghosts[0], Blue);
   DrawProfile(canvas, axes, profiles[1], ghosts[1], Vermilion);
-  canvas.Text({ 90, 302 }, "source", 15, Canvas::Align::Left, Blue);
-  canvas.Text({ 90, 282 }, "target", 15, Canvas::Align::Left, Vermilion);
-  canvas.Text({ 90, 322 }, "disks: peaks; black line: the pair taken for the same place", 13,
-    Canvas::Align::Left);
+  canvas.Text({ 330, 322 }, "source", 15, Canvas::Align::Left, Blue);
+  canvas.Text({ 330, 302 }, "target", 15, Canvas::Align::Left, Vermilion);
+  canvas.Text({ 330, 282 }, "disks: peaks that stand out", 13, Canvas::Align::Left);
+  canvas.Text({ 330, 264 }, "ringed: the pair taken for the same place", 13, Canvas::Align::Left);
   return canvas.Draw();
 }
 
@@ -233,10 +259,10 @@ Data EdgesOf(const marrow::TriangleMesh& mesh, const std::vector<int>& halfEdges
   return Segments(ends);
 }
 
-Picture DrawGhostBoundaries(const std::string& meshes)
+Picture DrawGhostBoundaries(const std::string&)
 {
-  const Matched& pair = Animals(meshes);
-  const marrow::ChainPair& chain = ProfiledChain(pair);
+  const Matched& pair = Quadrupeds();
+  const marrow::ChainPair& chain = PairedLimb(pair);
   const marrow::TransferParameters defaults;
   const auto scene = Scene(420, 320);
   const auto add = [&](const marrow::AnalyzedMesh& side, const marrow::Branch& branch,
@@ -259,10 +285,9 @@ Picture DrawGhostBoundaries(const std::string& meshes)
 
 Picture DrawTheta(const std::string& meshes)
 {
-  const Matched& pair = Animals(meshes);
-  const marrow::Branch& chain = ProfiledChain(pair).Source;
+  const CamelNeck camel(meshes);
   const marrow::TransferParameters defaults;
-  const std::vector<Point> profile = ProfileOf(pair.SourceMesh, chain, defaults.Kernel);
+  const std::vector<Point> profile = ProfileOf(camel.Camel, camel.Neck, defaults.Kernel);
   std::vector<Picture> pictures;
   for (const char* theta : { "1.1", "1.5", "3" })
   {
@@ -270,7 +295,8 @@ Picture DrawTheta(const std::string& meshes)
     Axes axes(canvas, { 65, 50 }, { 280, 205 }, { 0, 0 }, { 1, 1.1 * Highest(profile) });
     axes.Frame("arc ratio", "mean |MSP gradient|");
     DrawProfile(canvas, axes, profile,
-      marrow::FindGhostBoundaries(pair.SourceMesh, chain, std::stod(theta), defaults.Kernel), Blue);
+      marrow::FindGhostBoundaries(camel.Camel, camel.Neck, std::stod(theta), defaults.Kernel),
+      Blue);
     canvas.Text({ 172, 225 }, std::string("Theta ") + theta, 15);
     pictures.push_back(canvas.Draw());
   }
@@ -279,19 +305,18 @@ Picture DrawTheta(const std::string& meshes)
 
 Picture DrawKernel(const std::string& meshes)
 {
-  const Matched& pair = Animals(meshes);
-  const marrow::Branch& chain = ProfiledChain(pair).Source;
+  const CamelNeck camel(meshes);
   const marrow::TransferParameters defaults;
   std::vector<Picture> pictures;
   for (const char* kernel : { "0.01", "0.05", "0.2" })
   {
     Canvas canvas(290, 240);
-    const double top = 1.1 * Highest(ProfileOf(pair.SourceMesh, chain, 0.01));
+    const double top = 1.1 * Highest(ProfileOf(camel.Camel, camel.Neck, 0.01));
     Axes axes(canvas, { 65, 50 }, { 280, 205 }, { 0, 0 }, { 1, top });
     axes.Frame("arc ratio", "mean |MSP gradient|");
     const double width = std::stod(kernel);
-    DrawProfile(canvas, axes, ProfileOf(pair.SourceMesh, chain, width),
-      marrow::FindGhostBoundaries(pair.SourceMesh, chain, defaults.Theta, width), Blue);
+    DrawProfile(canvas, axes, ProfileOf(camel.Camel, camel.Neck, width),
+      marrow::FindGhostBoundaries(camel.Camel, camel.Neck, defaults.Theta, width), Blue);
     canvas.Text({ 172, 225 }, std::string("Kernel ") + kernel, 15);
     pictures.push_back(canvas.Draw());
   }

@@ -108,6 +108,15 @@ Prepared Prepare(vtkPolyData* mesh)
   return { Output(skeleton, 1), Output(skeleton, 0) };
 }
 
+marrow::AnalyzedMesh Analyze(vtkPolyData* mesh)
+{
+  marrow::AnalyzedMesh analyzed;
+  vtkNew<vtkSegmentationTransfer> filter;
+  marrow::TransferSide side = { "Mesh", mesh, nullptr };
+  Check(marrow::CompleteSide(filter, 0.0, 1.0, side, analyzed));
+  return analyzed;
+}
+
 Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
 {
   Matched matched;

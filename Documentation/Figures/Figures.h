@@ -54,6 +54,9 @@ struct Prepared
 };
 Prepared Prepare(vtkPolyData* mesh);
 
+/// A mesh and its skeleton as the algorithms of the transfer see them.
+marrow::AnalyzedMesh Analyze(vtkPolyData* mesh);
+
 /// Two such, matched, as vtkSegmentationTransfer sees them.
 struct Matched
 {

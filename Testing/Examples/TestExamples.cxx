@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every example runs, and draws what the documentation shows.
+// Every example and the program of the figures run, and draw what the documentation shows.
 #include "ImageComparison.h"
 
 #include <cstdio>
@@ -22,6 +22,19 @@ std::string RunProgram(const std::string& command)
   return printed;
 }
 
+void ExpectSamePicture(const std::string& drawn, const std::string& expected)
+{
+  vtkNew<vtkPNGReader> readers[2];
+  readers[0]->SetFileName(drawn.c_str());
+  readers[1]->SetFileName(expected.c_str());
+  for (vtkPNGReader* reader : readers)
+  {
+    reader->Update();
+  }
+  EXPECT_LE(marrow::test::ImageError(readers[0]->GetOutput(), readers[1]->GetOutput()), 200.0)
+    << drawn << " is not as in the documentation. If it is right, copy it to " << expected;
+}
+
 /// Runs Examples/Cxx/PROGRAM, whose picture is Documentation/images/example-NAME.png.
 std::string ExpectPicture(
   const std::string& program, const std::string& name, const std::string& arguments = "")
@@ -35,46 +48,38 @@ std::string ExpectPicture(
   EXPECT_TRUE(std::filesystem::exists(drawn)) << printed;
   if (std::filesystem::exists(drawn))
   {
-    vtkNew<vtkPNGReader> readers[2];
-    readers[0]->SetFileName(drawn.c_str());
-    readers[1]->SetFileName(expected.c_str());
-    for (vtkPNGReader* reader : readers)
-    {
-      reader->Update();
-    }
-    EXPECT_LE(marrow::test::ImageError(readers[0]->GetOutput(), readers[1]->GetOutput()), 200.0)
-      << drawn << " is not as in the documentation. If it is right, copy it to " << expected;
+    ExpectSamePicture(drawn, expected);
   }
   return printed;
 }
 }
 
-TEST(Examples, Measures)
+TEST(Cxx, Measures)
 {
   ExpectPicture("Measures", "measures");
 }
 
-TEST(Examples, Skeleton)
+TEST(Cxx, Skeleton)
 {
   EXPECT_NE(ExpectPicture("Skeleton", "skeleton").find("nodes in 7 branches"), std::string::npos);
 }
 
-TEST(Examples, Correspondence)
+TEST(Cxx, Correspondence)
 {
   ExpectPicture("Correspondence", "correspondence");
 }
 
-TEST(Examples, Transfer)
+TEST(Cxx, Transfer)
 {
   ExpectPicture("Transfer", "transfer");
 }
 
-TEST(Examples, Collection)
+TEST(Cxx, Collection)
 {
   ExpectPicture("Collection", "collection");
 }
 
-TEST(Examples, PickBranch)
+TEST(Cxx, PickBranch)
 {
   // A click on a front leg, and one beside the creature.
   const std::string leg = ExpectPicture("PickBranch", "picking", "281 142");
@@ -83,4 +88,25 @@ TEST(Examples, PickBranch)
   const std::string printed =
     RunProgram(std::string(MARROW_EXAMPLES) + "/PickBranch " + nothing + " 5 5");
   EXPECT_NE(printed.find("No branch there"), std::string::npos) << printed;
+}
+
+// Those of the documentation's figures that need no meshes but Marrow's own, one for each source file.
+TEST(Figures, AreAsInTheDocumentation)
+{
+  const std::string names[] = { "slices", "parameter-node-spacing", "correspondence-tree",
+    "covering-region", "snake", "transfer", "labels" };
+  const std::string folder = MARROW_TEST_OUTPUT;
+  std::filesystem::create_directories(folder);
+  std::string command = std::string(MARROW_EXAMPLES) + "/marrow-figures " + folder + " none";
+  for (const std::string& name : names)
+  {
+    std::filesystem::remove(folder + "/" + name + ".png");
+    command += " " + name;
+  }
+  RunProgram(command);
+  for (const std::string& name : names)
+  {
+    ExpectSamePicture(
+      folder + "/" + name + ".png", std::string(MARROW_IMAGES) + "/" + name + ".png");
+  }
 }
