@@ -168,6 +168,17 @@ Picture Below(const std::vector<Picture>& pictures)
   return Joined({ pictures.rbegin(), pictures.rend() }, 1);
 }
 
+std::vector<Eigen::Vector3d> PlacesOf(
+  const marrow::TriangleMesh& mesh, const std::vector<int>& vertices)
+{
+  std::vector<Eigen::Vector3d> places;
+  for (const int vertex : vertices)
+  {
+    places.push_back(mesh.Points[vertex]);
+  }
+  return places;
+}
+
 Data ClosedLine(const std::vector<Eigen::Vector3d>& points)
 {
   std::vector<Eigen::Vector3d> closed = points;

@@ -31,7 +31,9 @@ using Drawings = std::map<std::string, Drawing>;
 Drawings MeasureFigures();
 Drawings SkeletonFigures();
 Drawings CorrespondenceFigures();
-Drawings BoundaryFigures();
+Drawings GhostFigures();
+Drawings RegionFigures();
+Drawings SnakeFigures();
 Drawings TransferFigures();
 Drawings LimitationFigures();
 Drawings ReferenceFigures();
@@ -86,6 +88,9 @@ Picture DrawMatch(
   const std::string& caption,
   const CorrespondenceSettings& set = [](vtkSkeletonCorrespondence*) {});
 
+/// The places of vertices, in order.
+std::vector<Eigen::Vector3d> PlacesOf(
+  const marrow::TriangleMesh& mesh, const std::vector<int>& vertices);
 Data ClosedLine(const std::vector<Eigen::Vector3d>& points);
 Data Line(const std::vector<Eigen::Vector3d>& points);
 Data Segments(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
