@@ -49,7 +49,7 @@ const std::pair<Prepared, Prepared>& Bipeds()
 Picture DrawCorrespondence(const std::string& meshes)
 {
   return DrawMatch(
-    Prepare(ReadMesh(meshes, "camel")), Prepare(ReadMesh(meshes, "cow")), 390, 360, "source");
+    Prepare(ReadMesh(meshes, "camel")), Prepare(ReadMesh(meshes, "cow")), 340, 310, "source");
 }
 
 Picture DrawTree(const std::string&)
@@ -111,10 +111,20 @@ Picture DrawGlobalSelection(const std::string& meshes)
   for (const bool global : { true, false })
   {
     pictures.push_back(
-      DrawMatch(source, target, 340, 250, std::string("GlobalSelection ") + (global ? "on" : "off"),
+      DrawMatch(source, target, 300, 220, std::string("GlobalSelection ") + (global ? "on" : "off"),
         [&](vtkSkeletonCorrespondence* c) { c->SetGlobalSelection(global); }));
   }
   return Below(pictures);
+}
+
+Picture DrawMatcher(const std::string& meshes)
+{
+  const Prepared source = Prepare(ReadMesh(meshes, "camel"));
+  const Prepared target = Prepare(ReadMesh(meshes, "bull"));
+  return Beside({ DrawMatch(source, target, 215, 210, "tree",
+                    [](vtkSkeletonCorrespondence* c) { c->SetMatcherToCorrespondenceTree(); }),
+    DrawMatch(source, target, 215, 210, "voting",
+      [](vtkSkeletonCorrespondence* c) { c->SetMatcherToElectorsVoting(); }) });
 }
 }
 
@@ -122,6 +132,6 @@ Drawings CorrespondenceFigures()
 {
   return { { "correspondence", DrawCorrespondence }, { "correspondence-tree", DrawTree },
     { "parameter-leaf-index", DrawLeafIndex }, { "parameter-merge-distance", DrawMergeDistance },
-    { "parameter-global-selection", DrawGlobalSelection } };
+    { "parameter-global-selection", DrawGlobalSelection }, { "parameter-matcher", DrawMatcher } };
 }
 }

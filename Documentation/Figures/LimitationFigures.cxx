@@ -39,7 +39,7 @@ Picture DrawHandles(const std::string& meshes)
 Picture DrawTailForLeg(const std::string& meshes)
 {
   return DrawMatch(
-    Prepare(ReadMesh(meshes, "camel")), Prepare(ReadMesh(meshes, "diplodocus")), 360, 320, "camel");
+    Prepare(ReadMesh(meshes, "camel")), Prepare(ReadMesh(meshes, "diplodocus")), 310, 280, "camel");
 }
 
 /// The arms of an octopus look all alike.

@@ -93,7 +93,7 @@ Picture DrawSlices(const std::string&)
 Picture DrawMeasures(const std::string& meshes)
 {
   const Data mesh = Measured(ReadMesh(meshes, "camel"));
-  const auto scene = Scene(290, 330);
+  const auto scene = Scene(250, 280);
   for (const char* name : { "AGD", "MSP", "MSPGradient" })
   {
     scene->SetSurfaceArray(scene->AddMesh(mesh), name);
@@ -104,7 +104,7 @@ Picture DrawMeasures(const std::string& meshes)
 Picture DrawNumberOfSlices(const std::string& meshes)
 {
   const Data mesh = ReadMesh(meshes, "camel");
-  const auto scene = Scene(290, 330);
+  const auto scene = Scene(250, 280);
   scene->ShareRangeOn();
   for (const int slices : { 2, 12, 90 })
   {

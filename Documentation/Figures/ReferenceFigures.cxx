@@ -25,6 +25,44 @@ Picture DrawCreatures(const std::string&)
   return Drawn(scene);
 }
 
+/// What makes a creature another individual.
+Picture DrawIndividuals(const std::string&)
+{
+  const auto scene = Scene(215, 190);
+  const auto add = [&](const char* caption, double pose, double proportion, double noise)
+  {
+    vtkNew<vtkCreatureSource> creature;
+    creature->SetSeed(5);
+    creature->SetPose(pose);
+    creature->SetProportion(proportion);
+    creature->SetNoise(noise);
+    creature->Update();
+    scene->AddMesh(creature->GetOutput(), nullptr, caption);
+  };
+  add("all 0", 0.0, 0.0, 0.0);
+  add("Pose 1", 1.0, 0.0, 0.0);
+  add("Proportion 1", 0.0, 1.0, 0.0);
+  add("Noise 0.005", 0.0, 0.0, 0.005);
+  return Drawn(scene);
+}
+
+/// The four meanings of a skeleton's colours.
+Picture DrawColorBy(const std::string&)
+{
+  const Matched& pair = Quadrupeds();
+  std::vector<Picture> pictures;
+  const char* names[] = { "NODE_TYPE", "CORRESPONDENCE", "BRANCH", "LABEL" };
+  for (int colorBy = 0; colorBy < 4; ++colorBy)
+  {
+    const auto scene = Scene(215, 190);
+    scene->SetColorSkeletonBy(colorBy);
+    scene->SetSurfaceOpacity(0.1);
+    scene->AddMesh(pair.Source.Mesh, pair.Source.Skeleton, names[colorBy]);
+    pictures.push_back(Drawn(scene));
+  }
+  return Beside(pictures);
+}
+
 /// As seen with deuteranopia (Machado, Oliveira and Fernandes 2009).
 Color WithoutGreen(const Color& color)
 {
@@ -76,6 +114,7 @@ Picture DrawLabels(const std::string&)
 
 Drawings ReferenceFigures()
 {
-  return { { "creatures", DrawCreatures }, { "labels", DrawLabels } };
+  return { { "creatures", DrawCreatures }, { "labels", DrawLabels },
+    { "parameter-creature", DrawIndividuals }, { "parameter-color-by", DrawColorBy } };
 }
 }

@@ -195,7 +195,7 @@ Picture DrawNodeRegions(const std::string& meshes)
 Picture DrawNodes(
   vtkPolyData* mesh, const std::vector<std::pair<std::string, Data>>& skeletons, bool allNodes)
 {
-  const auto scene = Scene(290, 300);
+  const auto scene = Scene(260, 270);
   scene->SetSurfaceOpacity(0.2);
   for (const auto& [caption, skeleton] : skeletons)
   {
@@ -256,6 +256,26 @@ Picture DrawSkeletonMethods(const std::string& meshes)
   scene->AddMesh(mesh, Output(flow), "vtkMeanCurvatureSkeleton");
   return Drawn(scene);
 }
+
+Picture DrawMeanCurvature(const std::string& meshes)
+{
+  const Data mesh = ReadMesh(meshes, "camel");
+  std::vector<std::pair<std::string, Data>> skeletons;
+  const auto add = [&](const char* quality, const char* centered)
+  {
+    vtkNew<vtkMeanCurvatureSkeleton> flow;
+    flow->SetInputData(mesh);
+    flow->SetQualitySpeedTradeoff(std::stod(quality));
+    flow->SetMediallyCenteredSpeedTradeoff(std::stod(centered));
+    flow->Update();
+    skeletons.emplace_back(
+      std::string("quality ") + quality + ", centered " + centered, Output(flow));
+  };
+  add("0.1", "0.2");
+  add("10", "0.2");
+  add("0.1", "10");
+  return DrawNodes(mesh, skeletons, false);
+}
 #endif
 }
 
@@ -265,7 +285,7 @@ Drawings SkeletonFigures()
     { "node-regions", DrawNodeRegions }, { "parameter-finest-area", DrawFinestArea },
     { "parameter-node-spacing", DrawNodeSpacing },
 #ifdef MARROW_HAS_SKELETON_CGAL
-    { "skeleton-methods", DrawSkeletonMethods }
+    { "skeleton-methods", DrawSkeletonMethods }, { "parameter-mean-curvature", DrawMeanCurvature }
 #endif
   };
 }
