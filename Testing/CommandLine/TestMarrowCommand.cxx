@@ -301,8 +301,8 @@ TEST_F(MarrowCommand, RenderShowsMeasuresAndMatches)
   this->ExpectSuccess("render one.vtp --color-by AGD MSP --tile 60 40 -o measures.png");
   this->ExpectSuccess("correspond one.off two.off -o pairs.csv --skeletons first.vtp second.vtp");
   EXPECT_TRUE(this->Read("first.vtp")->GetPointData()->HasArray("CorrespondenceId"));
-  this->ExpectSuccess(
-    "render one.off two.off --skeletons first.vtp second.vtp --matches --tile 60 40 -o matches.png");
+  this->ExpectSuccess("render one.off two.off --skeletons first.vtp second.vtp --matches --tile 60 "
+                      "40 -o matches.png");
   for (const char* name : { "measures.png", "matches.png" })
   {
     vtkNew<vtkPNGReader> reader;
