@@ -71,6 +71,14 @@ public:
   /// Whether the branch is in the minimum spanning forest: a loop is opened at its longest branch.
   bool IsInForest(int branch) const { return this->Forest[branch]; }
 
+  struct ShortestPaths
+  {
+    std::vector<double> Length; ///< per feature, infinite if there is no way
+    std::vector<int> Arrival;   ///< per feature the last dart of the way, -1 for none
+  };
+  /// The shortest ways from a feature to all others (Dijkstra), if told so only over the forest.
+  ShortestPaths ShortestPathsFrom(int feature, bool inForest) const;
+
   /// The darts that leave a group, ascending; both darts of a loop.
   std::vector<int> OpenDarts(const FeatureGroup& group) const;
   /// |g| of the sub-skeleton behind each of the group's open darts (method 3.2).

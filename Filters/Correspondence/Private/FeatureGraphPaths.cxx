@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
 
 namespace marrow
 {
@@ -31,6 +35,38 @@ Branch FeatureGraph::Reversed(const Branch& branch)
     result.ArcLength[i] = length - branch.ArcLength[branch.ArcLength.size() - 1 - i];
   }
   return result;
+}
+
+FeatureGraph::ShortestPaths FeatureGraph::ShortestPathsFrom(int feature, bool inForest) const
+{
+  using Arrival = std::pair<double, int>;
+  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<Arrival>> open;
+  ShortestPaths paths;
+  paths.Length.assign(this->NumberOfFeatures(), std::numeric_limits<double>::infinity());
+  paths.Arrival.assign(this->NumberOfFeatures(), -1);
+  paths.Length[feature] = 0.0;
+  open.emplace(0.0, feature);
+  while (!open.empty())
+  {
+    const auto [length, at] = open.top();
+    open.pop();
+    if (length > paths.Length[at])
+    {
+      continue;
+    }
+    for (const int dart : this->Features[at].Darts)
+    {
+      const int head = this->Head(dart);
+      const double next = length + this->Length(dart / 2);
+      if ((!inForest || this->IsInForest(dart / 2)) && next < paths.Length[head])
+      {
+        paths.Length[head] = next;
+        paths.Arrival[head] = dart;
+        open.emplace(next, head);
+      }
+    }
+  }
+  return paths;
 }
 
 Eigen::Vector3d FeatureGraph::Direction(const FeatureGroup& group, int dart) const

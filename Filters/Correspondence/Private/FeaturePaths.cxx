@@ -2,11 +2,8 @@
 #include "FeaturePaths.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
-#include <utility>
 
 namespace marrow
 {
@@ -50,32 +47,7 @@ FeaturePaths::FeaturePaths(const FeatureGraph& graph)
 void FeaturePaths::FindPathsFrom(int from)
 {
   const FeatureGraph& graph = this->Skeleton;
-  using Arrival = std::pair<double, int>;
-  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<Arrival>> open;
-  std::vector<double> distance(graph.NumberOfFeatures(), Far);
-  std::vector<int> dartTo(graph.NumberOfFeatures(), -1);
-  distance[this->Features[from]] = 0.0;
-  open.emplace(0.0, this->Features[from]);
-  while (!open.empty())
-  {
-    const auto [d, feature] = open.top();
-    open.pop();
-    if (d > distance[feature])
-    {
-      continue;
-    }
-    for (const int dart : graph.GetFeatures()[feature].Darts)
-    {
-      const int head = graph.Head(dart);
-      const double next = d + graph.Length(dart / 2);
-      if (next < distance[head])
-      {
-        distance[head] = next;
-        dartTo[head] = dart;
-        open.emplace(next, head);
-      }
-    }
-  }
+  const FeatureGraph::ShortestPaths shortest = graph.ShortestPathsFrom(this->Features[from], false);
   std::vector<int> number(graph.NumberOfFeatures(), -1);
   for (int i = 0; i < this->Size(); ++i)
   {
@@ -84,9 +56,10 @@ void FeaturePaths::FindPathsFrom(int from)
   for (int to = 0; to < this->Size(); ++to)
   {
     const int entry = from * this->Size() + to;
-    this->Lengths[entry] = distance[this->Features[to]];
+    this->Lengths[entry] = shortest.Length[this->Features[to]];
     std::vector<int>& path = this->Paths[entry];
-    for (int dart = dartTo[this->Features[to]]; dart >= 0; dart = dartTo[graph.Origin(dart)])
+    for (int dart = shortest.Arrival[this->Features[to]]; dart >= 0;
+         dart = shortest.Arrival[graph.Origin(dart)])
     {
       path.push_back(dart);
       const int inside = number[graph.Origin(dart)];

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TerminalPaths.h"
 
+#include "Constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
-
-#include <queue>
 
 namespace marrow
 {
@@ -25,10 +24,9 @@ constexpr double SampleFractions[] = { 0.0, 0.15, 0.5, 1.0 };
 /// Between the inner halves of two terminal branches: the outer halves move with the pose.
 double AngleBetween(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b)
 {
-  constexpr double pi = 3.14159265358979323846;
   const Eigen::Vector3d u = (a[2] - a[3]).normalized();
   const Eigen::Vector3d v = (b[2] - b[3]).normalized();
-  return std::acos(std::clamp(u.dot(v), -1.0, 1.0)) / pi;
+  return std::acos(std::clamp(u.dot(v), -1.0, 1.0)) / Pi;
 }
 }
 
@@ -101,45 +99,21 @@ void TerminalPaths::FindPaths()
   double weights = 0.0;
   for (int from = 0; from < this->Size(); ++from)
   {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    std::vector<double> distance(graph.NumberOfFeatures(), far);
-    std::vector<int> arrival(graph.NumberOfFeatures(), -1);
-    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
-      std::greater<std::pair<double, int>>>
-      open;
-    distance[this->Features[from]] = 0.0;
-    open.emplace(0.0, this->Features[from]);
-    while (!open.empty())
-    {
-      const auto [d, feature] = open.top();
-      open.pop();
-      if (d > distance[feature])
-      {
-        continue;
-      }
-      for (int dart : graph.GetFeatures()[feature].Darts)
-      {
-        const double next = d + graph.Length(dart / 2);
-        if (graph.IsInForest(dart / 2) && next < distance[graph.Head(dart)])
-        {
-          distance[graph.Head(dart)] = next;
-          arrival[graph.Head(dart)] = dart;
-          open.emplace(next, graph.Head(dart));
-        }
-      }
-    }
+    const FeatureGraph::ShortestPaths shortest =
+      graph.ShortestPathsFrom(this->Features[from], true);
     for (int to = 0; to < this->Size(); ++to)
     {
       Path& path = this->Paths[from * this->Size() + to];
-      if (to == from || distance[this->Features[to]] == far)
+      if (to == from || std::isinf(shortest.Length[this->Features[to]]))
       {
         continue;
       }
       path.Exists = true;
-      path.Length = distance[this->Features[to]];
-      for (int f = this->Features[to]; f != this->Features[from]; f = graph.Origin(arrival[f]))
+      path.Length = shortest.Length[this->Features[to]];
+      for (int f = this->Features[to]; f != this->Features[from];
+           f = graph.Origin(shortest.Arrival[f]))
       {
-        path.Darts.push_back(arrival[f]);
+        path.Darts.push_back(shortest.Arrival[f]);
       }
       std::reverse(path.Darts.begin(), path.Darts.end());
       path.Angle = AngleBetween(this->Samples[from], this->Samples[to]);
