@@ -229,6 +229,12 @@ bool vtkSideBySideScene::Fill(vtkRenderWindow* window, int pixelScale)
       1.0 - static_cast<double>(row + 1) / rows, static_cast<double>(column + 1) / columns,
       1.0 - static_cast<double>(row) / rows);
     marrow::FillRenderer(renderer, tile, view, style, range);
+    if (renderer->GetUseDepthPeeling())
+    {
+      // VTK peels nothing in a window that multisamples or has no alpha.
+      window->SetMultiSamples(0);
+      window->SetAlphaBitPlanes(1);
+    }
     window->AddRenderer(renderer);
     renderers.push_back(renderer);
   }
@@ -250,7 +256,6 @@ bool vtkSideBySideScene::Render(vtkImageData* image)
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
   window->SetMultiSamples(0);
-  window->SetAlphaBitPlanes(1);
   if (!this->Fill(window, Supersampling))
   {
     return false;

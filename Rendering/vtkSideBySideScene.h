@@ -167,8 +167,10 @@ public:
   ///@}
 
   /**
-   * Shows the scene in `window`: sets its size, and adds a renderer for each tile. The scene has to
-   * live as long as the window. Returns false, with an error event, when there is no mesh.
+   * Shows the scene in `window`: sets its size, and adds a renderer for each tile. Where a surface is
+   * transparent, the window's multisampling goes and it gets alpha bit planes, or VTK would leave that
+   * surface out. The scene has to live as long as the window. Returns false, with an error event,
+   * when there is no mesh.
    */
   bool AddTo(vtkRenderWindow* window);
 

@@ -32,8 +32,6 @@ class BranchPicker:
         for side, lines in zip(self.sides, self.selected):
             self.scene.AddActor(self.scene.AddMesh(side.mesh.polydata, side.polydata),
                                 self.tube(lines, side.mesh.polydata.GetLength() / 100))
-        self.window.SetMultiSamples(0)  # with multisampling VTK leaves out transparent surfaces
-        self.window.SetAlphaBitPlanes(1)
         self.scene.AddTo(self.window)
         self.interactor = vtkRenderWindowInteractor()
         self.interactor.SetRenderWindow(self.window)

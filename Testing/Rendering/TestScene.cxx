@@ -21,6 +21,7 @@
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
 #include <vtkTransformFilter.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Core>
 
@@ -351,6 +352,33 @@ TEST(SideBySideScene, CanBeShownInAWindowOfOnesOwn)
   ASSERT_NE(scene->GetRenderer(1), nullptr);
   EXPECT_EQ(scene->GetRenderer(1)->GetRenderWindow(), window);
   EXPECT_EQ(scene->GetRenderer(2), nullptr);
+}
+
+TEST(SideBySideScene, ATransparentSurfaceShowsInAnyWindow)
+{
+  // A window multisamples unless told otherwise, and VTK leaves out what it should peel then.
+  for (const bool drawnBefore : { false, true })
+  {
+    vtkNew<vtkSideBySideScene> scene;
+    LookFromTheFront(scene);
+    scene->SetTileWidth(120);
+    scene->SetTileHeight(100);
+    scene->SetTileOpacity(scene->AddMesh(Square()), 0.5);
+    vtkNew<vtkRenderWindow> window;
+    window->OffScreenRenderingOn();
+    window->SetMultiSamples(8);
+    if (drawnBefore)
+    {
+      window->Render();
+    }
+    ASSERT_TRUE(scene->AddTo(window));
+    window->Render();
+    vtkNew<vtkUnsignedCharArray> pixel;
+    window->GetRGBACharPixelData(60, 50, 60, 50, 0, pixel);
+    // Light blue on white, the one half of the other.
+    EXPECT_LT(pixel->GetValue(0), 245) << drawnBefore;
+    EXPECT_GT(pixel->GetValue(0), 128) << drawnBefore;
+  }
 }
 
 TEST(SideBySideScene, ErrorsAreTold)
