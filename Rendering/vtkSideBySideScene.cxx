@@ -4,18 +4,17 @@
 #include "ArrayNames.h"
 #include "SceneLinks.h"
 #include "SceneTile.h"
+#include "Supersampling.h"
 #include "vtkMeasureColors.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
-#include "vtkImageShrink3D.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <Eigen/Geometry>
 
@@ -27,9 +26,6 @@ vtkStandardNewMacro(vtkSideBySideScene);
 
 namespace
 {
-/// The window of a picture is drawn larger by this factor and averaged: smooth edges that do not
-/// depend on what the graphics driver offers.
-constexpr int Supersampling = 2;
 /// In pixels of the picture.
 constexpr double LinkWidth = 1.5;
 /// Fewer fix no rotation.
@@ -254,22 +250,11 @@ bool vtkSideBySideScene::AddTo(vtkRenderWindow* window)
 bool vtkSideBySideScene::Render(vtkImageData* image)
 {
   vtkNew<vtkRenderWindow> window;
-  window->OffScreenRenderingOn();
-  window->SetMultiSamples(0);
-  if (!this->Fill(window, Supersampling))
+  if (!this->Fill(window, marrow::Supersampling))
   {
     return false;
   }
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(window);
-  capture->ReadFrontBufferOff();
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(capture->GetOutputPort());
-  shrink->SetShrinkFactors(Supersampling, Supersampling, 1);
-  shrink->MeanOn();
-  shrink->Update();
-  image->ShallowCopy(shrink->GetOutput());
+  marrow::DrawSupersampled(window, image);
   // The window takes the renderers with it.
   this->Internals->Links.reset();
   this->Internals->Renderers.clear();

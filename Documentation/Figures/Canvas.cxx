@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Canvas.h"
 
+#include "Constants.h"
+#include "Supersampling.h"
+
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkImageShrink3D.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <cstdio>
@@ -20,8 +21,7 @@ namespace figures
 {
 namespace
 {
-constexpr int Supersampling = 2;
-constexpr double Pi = 3.14159265358979;
+using marrow::Supersampling;
 
 std::string Number(double value)
 {
@@ -87,7 +87,7 @@ void Canvas::Disk(const Point& center, double radius, const Color& color)
   std::vector<Point> corners;
   for (int i = 0; i < 32; ++i)
   {
-    const double angle = 2.0 * Pi * i / 32;
+    const double angle = 2.0 * marrow::Pi * i / 32;
     corners.push_back(
       { center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle) });
   }
@@ -126,20 +126,11 @@ Picture Canvas::Draw()
   camera->SetParallelScale(0.5 * this->Height);
   camera->SetClippingRange(50.0, 150.0);
   vtkNew<vtkRenderWindow> window;
-  window->OffScreenRenderingOn();
-  window->SetMultiSamples(0);
   window->SetSize(Supersampling * this->Width, Supersampling * this->Height);
   window->AddRenderer(this->Renderer);
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(window);
-  capture->ReadFrontBufferOff();
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(capture->GetOutputPort());
-  shrink->SetShrinkFactors(Supersampling, Supersampling, 1);
-  shrink->MeanOn();
-  shrink->Update();
-  return shrink->GetOutput();
+  Picture picture = Picture::New();
+  marrow::DrawSupersampled(window, picture);
+  return picture;
 }
 
 Axes::Axes(

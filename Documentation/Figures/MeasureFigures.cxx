@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Constants.h"
 #include "Figures.h"
 #include "MeshBridge.h"
 
@@ -15,8 +16,6 @@ namespace figures
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979;
-
 Data Measured(vtkPolyData* mesh, int slices = 12)
 {
   vtkNew<vtkMSPField> field;
@@ -73,7 +72,8 @@ Picture DrawSlices(const std::string&)
     const Eigen::Vector3d least = VectorAt(mesh, "MSPNormal", vertex);
     for (int k = 0; k < 12; ++k)
     {
-      const Eigen::Vector3d normal = Eigen::AngleAxisd(k * Pi / 12, normals[vertex]) * least;
+      const Eigen::Vector3d normal =
+        Eigen::AngleAxisd(k * marrow::Pi / 12, normals[vertex]) * least;
       const Data slice = Slice(mesh, origin, normal);
       if (k == 0)
       {
