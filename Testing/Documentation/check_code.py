@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Code in the pages is code of the project: C++ and Python are contained in programs that are built
-and run, and shell commands name what exists.
+and run, a C++ program with its main() is all of one, and shell commands name what exists.
 
     check_code.py PROJECT_FOLDER
 """
@@ -28,6 +28,12 @@ PROGRAMS = {
 def plain(code):
     """Without indentation, empty lines and the ends of lines: an excerpt may be set differently."""
     return "\n".join(line.strip() for line in code.splitlines() if line.strip())
+
+
+def stands_in(code, program):
+    if "int main(" in code:
+        return code == program
+    return plain(code) in plain(program)
 
 
 class ShellCheck:
@@ -87,7 +93,7 @@ def main(root):
     shell = ShellCheck(root)
     programs = {}
     for language, (ending, folders) in PROGRAMS_OF.items():
-        programs[language] = [plain(read(root, path)) for path in find_files(root, ending)
+        programs[language] = [read(root, path) for path in find_files(root, ending)
                               if path.startswith(folders)]
     errors = []
     count = 0
@@ -96,7 +102,7 @@ def main(root):
             count += 1
             where = f"{path}:{number}"
             if language in programs:
-                if not any(plain(code) in program for program in programs[language]):
+                if not any(stands_in(code, program) for program in programs[language]):
                     errors.append(f"{where}: no program in {' or '.join(PROGRAMS_OF[language][1])} has "
                                   f"this {language} code.")
             elif language == "sh":
