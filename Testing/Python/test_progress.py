@@ -21,6 +21,9 @@ class TestProgress(unittest.TestCase):
         yield "measure"
         marrow.skeleton(self.source, **arguments)
         yield "skeleton"
+        if hasattr(marrow.vtk, "vtkMeanCurvatureSkeleton"):
+            marrow.mean_curvature_skeleton(self.source, **arguments)
+            yield "mean_curvature_skeleton"
         marrow.correspond(self.source, self.target, **arguments)
         yield "correspond"
         marrow.transfer(self.source, self.target, **arguments)

@@ -121,8 +121,7 @@ def skeleton(
     """
     algorithm = vtk.vtkMSPSkeleton()
     set_parameters(algorithm, skeleton, SkeletonParameters, parameters)
-    with Watch("skeleton", progress, progress_bar) as watch:
-        return run_skeleton(algorithm, mesh, "skeleton", watch)
+    return watched_skeleton(algorithm, mesh, "skeleton", progress, progress_bar)
 
 
 def mean_curvature_skeleton(
@@ -153,8 +152,18 @@ def mean_curvature_skeleton(
         raise Error("mean_curvature_skeleton: Marrow was built without CGAL.") from None
     set_parameters(
         algorithm, mean_curvature_skeleton, MeanCurvatureSkeletonParameters, parameters)
-    with Watch("skeleton", progress, progress_bar) as watch:
-        return run_skeleton(algorithm, mesh, "mean_curvature_skeleton", watch)
+    return watched_skeleton(algorithm, mesh, "mean_curvature_skeleton", progress, progress_bar)
+
+
+def watched_skeleton(
+    algorithm: vtkAlgorithm,
+    mesh: MeshLike,
+    subject: str,
+    progress: Optional[ProgressCallback],
+    progress_bar: bool,
+) -> Skeleton:
+    with Watch(subject, progress, progress_bar) as watch:
+        return run_skeleton(algorithm, mesh, subject, watch)
 
 
 def run_skeleton(
