@@ -127,6 +127,29 @@ inline vtkIdType ChainEnd(const Matched& matched, int side, int id, bool last)
   return result;
 }
 
+/// A quadruped, and beside it a stick.
+inline SkeletonShape MakeQuadrupedAndStick()
+{
+  SkeletonShape both = MakeQuadruped();
+  both.Point("stick top", 4.0, 1.0, 0.0, 0.1);
+  both.Point("stick end", 4.0, 0.0, 0.0, 0.05);
+  both.Line({ "stick top", "stick end" });
+  return both;
+}
+
+/// Of a quadruped and one whose neck has a spur: it has no partner, and the neck is one chain past it.
+inline void ExpectPassed(const Matched& matched, const std::string& spur)
+{
+  matched.ExpectSame(QuadrupedTerminals());
+  EXPECT_EQ(-1, matched.NodeId(1, spur));
+  EXPECT_EQ(-1, matched.NodeId(1, "neck"));
+  const int id = matched.BranchId(0, "chest", "head");
+  EXPECT_GE(id, 0);
+  EXPECT_EQ(id, matched.BranchId(1, "chest", "neck"));
+  EXPECT_EQ(id, matched.BranchId(1, "neck", "head"));
+  EXPECT_EQ(-1, matched.BranchId(1, "neck", spur));
+}
+
 /// A random tree with some loops, in one or two components.
 inline SkeletonShape MakeRandomShape(unsigned seed)
 {

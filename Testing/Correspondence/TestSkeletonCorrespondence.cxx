@@ -107,18 +107,12 @@ TEST(SkeletonCorrespondence, MergesASplitJunction)
 TEST(SkeletonCorrespondence, MergesBranchesAtASpur)
 {
   SkeletonShape target = MakeQuadruped();
-  // A spur half-way down the neck and one on the belly.
+  // A spur half-way down the neck.
   target.Point("spur", 1.45, 1.25, 0.05, 0.08);
   target.Line({ "neck", "spur" });
   const Matched matched(MakeQuadruped(), target);
-  matched.ExpectSame(QuadrupedTerminals());
-  EXPECT_EQ(-1, matched.NodeId(1, "spur"));
-  EXPECT_EQ(-1, matched.NodeId(1, "neck"));
+  ExpectPassed(matched, "spur");
   const int id = matched.BranchId(0, "chest", "head");
-  EXPECT_GE(id, 0);
-  EXPECT_EQ(id, matched.BranchId(1, "chest", "neck"));
-  EXPECT_EQ(id, matched.BranchId(1, "neck", "head"));
-  EXPECT_EQ(-1, matched.BranchId(1, "neck", "spur"));
   // Both chains run between the same ids.
   for (const bool last : { false, true })
   {
@@ -206,10 +200,7 @@ TEST(SkeletonCorrespondence, MatchesASnakeWithTheLongPathOfATree)
 
 TEST(SkeletonCorrespondence, MatchesComponentsByWhatTheyAre)
 {
-  SkeletonShape both = MakeQuadruped();
-  both.Point("stick top", 4.0, 1.0, 0.0, 0.1);
-  both.Point("stick end", 4.0, 0.0, 0.0, 0.05);
-  both.Line({ "stick top", "stick end" });
+  const SkeletonShape both = MakeQuadrupedAndStick();
   SkeletonShape target = both;
   target.Transform(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()).toRotationMatrix());
   const Matched matched(both, target);
