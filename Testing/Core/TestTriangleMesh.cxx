@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestShapes.h"
+#include "WindingNumber.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -111,4 +113,24 @@ TEST(TriangleMesh, NormalWeighsByAngleNotByNumberOfTriangles)
   mesh.BuildConnectivity();
   const Eigen::Vector3d expected = Eigen::Vector3d(-1, -1, -1).normalized();
   EXPECT_TRUE(mesh.VertexNormals()[0].isApprox(expected, 1e-12));
+}
+
+TEST(WindingNumber, IsOneInsideHalfInTheMouthOfABowlAndNothingOutside)
+{
+  TriangleMesh sphere = MakeSphere(2.0, 4);
+  for (auto& point : sphere.Points)
+  {
+    point += Eigen::Vector3d(5, 6, 7);
+  }
+  EXPECT_NEAR(WindingNumber(sphere, { 5, 6, 7 }), 1.0, 1e-9);
+  EXPECT_NEAR(WindingNumber(sphere, { 6.5, 6, 7 }), 1.0, 1e-9);
+  EXPECT_NEAR(WindingNumber(sphere, { 7.5, 6, 7 }), 0.0, 1e-9);
+  auto& triangles = sphere.Triangles;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                    [&](const auto& t) {
+                      return (sphere.Points[t[0]] + sphere.Points[t[1]] + sphere.Points[t[2]]).z() >
+                        3.0 * 7.0;
+                    }),
+    triangles.end());
+  EXPECT_NEAR(WindingNumber(sphere, { 5, 6, 7 }), 0.5, 0.02);
 }

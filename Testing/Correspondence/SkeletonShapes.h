@@ -2,6 +2,7 @@
 #ifndef marrow_SkeletonShapes_h
 #define marrow_SkeletonShapes_h
 
+#include "Constants.h"
 #include "Skeleton.h"
 #include "SkeletonBridge.h"
 
@@ -133,7 +134,7 @@ private:
     SkeletonNode node;
     node.Position = position;
     node.Radius = radius;
-    node.MSP = 2.0 * 3.14159265358979323846 * radius;
+    node.MSP = 2.0 * Pi * radius;
     return node;
   }
 
@@ -233,7 +234,7 @@ inline SkeletonShape MakeStar(int arms)
   shape.Line({ "center", "head" });
   for (int i = 0; i < arms; ++i)
   {
-    const double angle = 2.0 * 3.14159265358979323846 * i / arms;
+    const double angle = 2.0 * Pi * i / arms;
     // Not quite alike, or no arm could be told from its neighbour turned by one place.
     const double length = 2.0 + 0.1 * std::sin(3.0 * i);
     const std::string name = "arm " + std::to_string(i);
@@ -285,7 +286,7 @@ inline SkeletonShape MakeRing()
   std::vector<std::string> names;
   for (int i = 0; i < 12; ++i)
   {
-    const double angle = 2.0 * 3.14159265358979323846 * i / 12;
+    const double angle = 2.0 * Pi * i / 12;
     names.push_back("ring " + std::string(1, static_cast<char>('a' + i)));
     shape.Point(names.back(), std::cos(angle), std::sin(angle), 0.0, 0.2 + 0.05 * std::cos(angle));
   }

@@ -93,7 +93,7 @@ std::vector<Eigen::Vector3d> Circle(
   std::vector<Eigen::Vector3d> result;
   for (int i = 0; i < stations; ++i)
   {
-    const double angle = 2.0 * test::Pi * i / stations;
+    const double angle = 2.0 * Pi * i / stations;
     result.push_back(center + std::cos(angle) * u + std::sin(angle) * v);
   }
   return result;
@@ -148,8 +148,8 @@ TEST(EdgeCollapse, ATorusKeepsItsHoleAndLosesItsTube)
   {
     const TriangleMesh mesh = test::MakeTorus(3.0, tube, 30, 12);
     Skeleton skeleton;
-    skeleton.Graph = CollapseToGraph(mesh, ShrinkTorus(mesh, 3.0),
-      std::vector<double>(mesh.Points.size(), 2.0 * test::Pi * tube), {});
+    skeleton.Graph = CollapseToGraph(
+      mesh, ShrinkTorus(mesh, 3.0), std::vector<double>(mesh.Points.size(), 2.0 * Pi * tube), {});
     skeleton.ExtractBranches();
     EXPECT_EQ(skeleton.NumberOfLoops(), 1) << "tube radius " << tube;
     EXPECT_EQ(skeleton.NumberOfComponents(), 1);
@@ -159,7 +159,7 @@ TEST(EdgeCollapse, ATorusKeepsItsHoleAndLosesItsTube)
     {
       length += branch.Length();
     }
-    EXPECT_GT(length, 0.8 * 2.0 * test::Pi * 3.0);
+    EXPECT_GT(length, 0.8 * 2.0 * Pi * 3.0);
   }
 }
 
@@ -190,7 +190,7 @@ TEST(EdgeCollapse, EveryVertexIsInOneNode)
 {
   const TriangleMesh mesh = test::MakeTorus(3.0, 1.0, 24, 12);
   const SkeletonGraph graph = CollapseToGraph(
-    mesh, ShrinkTorus(mesh, 3.0), std::vector<double>(mesh.Points.size(), 2.0 * test::Pi), {});
+    mesh, ShrinkTorus(mesh, 3.0), std::vector<double>(mesh.Points.size(), 2.0 * Pi), {});
   std::vector<int> count(mesh.Points.size(), 0);
   for (auto [n, end] = boost::vertices(graph); n != end; ++n)
   {
@@ -216,7 +216,7 @@ TEST(ShrunkMesh, LengthwiseSlicesAreNotTrusted)
   // A cylinder whose caps report a slice lengthwise, as tips do.
   const double length = 10.0;
   const TriangleMesh mesh = test::MakeCylinder(1.0, length, 32, 80);
-  std::vector<double> msp(mesh.Points.size(), 2.0 * test::Pi);
+  std::vector<double> msp(mesh.Points.size(), 2.0 * Pi);
   std::vector<Eigen::Vector3d> center(mesh.Points.size());
   int inCap = -1;
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorObserver.h"
-#include "InteriorNodes.h"
 #include "MeshCheck.h"
 #include "SkeletonResult.h"
+#include "WindingNumber.h"
 
 #include <gtest/gtest.h>
 

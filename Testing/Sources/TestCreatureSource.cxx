@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorObserver.h"
 #include "TestMeshes.h"
+#include "WindingNumber.h"
 #include "vtkCreatureSource.h"
 
 #include <vtkSMPTools.h>
@@ -160,23 +161,15 @@ void ExpectSound(const Kind& kind, const CreatureOptions& options)
   }
 }
 
-/// Whether every node lies inside the surface: the solid angle of the surface seen from it is 4π.
+/// Every node lies inside the surface.
 void ExpectNodesInside(const Creature& creature)
 {
   TriangleMesh mesh;
   ASSERT_EQ(ToTriangleMesh(creature.Mesh, mesh), "");
   for (vtkIdType n = 0; n < creature.Skeleton->GetNumberOfPoints(); ++n)
   {
-    const Eigen::Vector3d eye(creature.Skeleton->GetPoint(n));
-    double solidAngle = 0.0;
-    for (const auto& t : mesh.Triangles)
-    {
-      const Eigen::Vector3d a = (mesh.Points[t[0]] - eye).normalized();
-      const Eigen::Vector3d b = (mesh.Points[t[1]] - eye).normalized();
-      const Eigen::Vector3d c = (mesh.Points[t[2]] - eye).normalized();
-      solidAngle += 2.0 * std::atan2(a.dot(b.cross(c)), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
-    }
-    EXPECT_NEAR(solidAngle / (4.0 * Pi), 1.0, 1e-6) << "node " << n << " is not inside";
+    const Eigen::Vector3d node(creature.Skeleton->GetPoint(n));
+    EXPECT_NEAR(WindingNumber(mesh, node), 1.0, 1e-6) << "node " << n << " is not inside";
   }
 }
 

@@ -2,6 +2,7 @@
 #ifndef marrow_TestShapes_h
 #define marrow_TestShapes_h
 
+#include "Constants.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/Geometry>
@@ -17,8 +18,6 @@
 /// change. Every mesh comes with its connectivity built, closed and oriented outward.
 namespace marrow::test
 {
-inline constexpr double Pi = 3.14159265358979323846;
-
 /// A cylinder about the z axis, from -length/2 to length/2, with flat caps of concentric rings.
 inline TriangleMesh MakeCylinder(double radius, double length, int around, int along)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Constants.h"
 #include "Creature.h"
 
 #include <Eigen/Geometry>
@@ -7,7 +8,7 @@ namespace marrow
 {
 void ApplyPose(Creature& creature, Variation& pose)
 {
-  constexpr double Degree = 3.14159265358979323846 / 180.0;
+  constexpr double Degree = Pi / 180.0;
   const Creature rest = creature;
   // Per limb and joint: the rotation of what comes after the joint.
   std::vector<std::vector<Eigen::Quaterniond>> rotations(creature.Limbs.size());

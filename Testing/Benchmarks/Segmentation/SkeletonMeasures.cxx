@@ -2,6 +2,7 @@
 #include "SkeletonMeasures.h"
 
 #include "MeshCheck.h"
+#include "WindingNumber.h"
 
 #include <Eigen/Geometry>
 
@@ -12,24 +13,6 @@ namespace marrow::bench
 {
 namespace
 {
-/// Whether the surface winds round the point, by the sum of the solid angles of its triangles.
-bool IsInside(const TriangleMesh& mesh, const Eigen::Vector3d& point)
-{
-  double halfSolidAngles = 0.0;
-  for (const auto& t : mesh.Triangles)
-  {
-    const Eigen::Vector3d a = mesh.Points[t[0]] - point;
-    const Eigen::Vector3d b = mesh.Points[t[1]] - point;
-    const Eigen::Vector3d c = mesh.Points[t[2]] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    halfSolidAngles +=
-      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return std::abs(halfSolidAngles) > 3.14159265358979; // half of 2 π: winds by more than a half
-}
-
 void MeasureTerminals(const PreparedMesh& mesh, const std::vector<std::string>& labelNames,
   const Extremities& extremities, Result& result)
 {
@@ -106,7 +89,7 @@ Result MeasureSkeleton(const PreparedMesh& mesh, const std::vector<std::string>&
   double terminals = 0.0;
   for (int node = 0; node < skeleton.NumberOfNodes(); ++node)
   {
-    inside += IsInside(mesh.Mesh, skeleton.Graph[node].Position);
+    inside += std::abs(WindingNumber(mesh.Mesh, skeleton.Graph[node].Position)) > 0.5;
     terminals += skeleton.TypeOf(node) == NodeType::Terminal;
   }
   result.Values["faces"] = mesh.Mesh.NumberOfTriangles();
