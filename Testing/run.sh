@@ -12,7 +12,7 @@ xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
   ctest --test-dir build --output-on-failure --parallel "$(nproc)"
 
 # The plugin, in a build of its own with ParaView's VTK.
-.ci/install-packages.sh imagemagick
+.ci/install-packages.sh imagemagick xdotool
 Wrapping/ParaView/get-paraview.sh install-paraview
 Wrapping/ParaView/build.sh install-paraview -DMARROW_BUILD_TESTING=ON "$@"
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \

@@ -6,7 +6,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 from wrapped.MarrowRendering import vtkLabelColors
 
 SEGMENTS = 8  # of a quadruped
-LEAST_PIXELS = 100
+LEAST_PIXELS = 400  # more than in a legend
 TOLERANCE = 0.06
 
 reader = vtkPNGReader()

@@ -7,13 +7,14 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 folder=$(realpath --canonicalize-missing "$1")
-# What ParaView's own packages would draw in: libraries, and NumPy for its Python.
+# What ParaView's own packages would draw in: libraries, and NumPy for its Python. Qt's headers for what
+# the plugin does in ParaView's window.
 runtime=(
   libavcodec59 libavformat59 libavutil57 libdouble-conversion3 libexpat1 libfreetype6 libgdal32
   libgl2ps1.4 libglew2.2 libhdf5-openmpi-103-1 libjpeg62-turbo liblz4-1 liblzma5 libnetcdf19 libogg0
   libopengl0 libopenmpi3 libpng16-16 libpython3.11 libqt5core5a libqt5gui5 libqt5help5 libqt5network5
   libqt5opengl5 libqt5svg5 libqt5widgets5 libswscale6 libtheora0 libtiff6 libxcursor1 libxml2
-  python3-numpy)
+  python3-numpy qtbase5-dev)
 .ci/install-packages.sh "${runtime[@]}"
 if [ -e "$folder/.complete" ]; then
   exit 0
