@@ -140,6 +140,8 @@ TEST(MeshBridge, ArraysGoThereAndBack)
   EXPECT_EQ(integersBack, integers);
   EXPECT_EQ(arrays->GetArray("ids")->GetDataType(), VTK_ID_TYPE);
   EXPECT_EQ(arrays->GetArray("integers")->GetDataType(), VTK_INT);
+  EXPECT_EQ(arrays->GetArray("ids")->GetMaxDiscreteValues(), MostLabels);
+  EXPECT_EQ(arrays->GetArray("integers")->GetMaxDiscreteValues(), MostLabels);
 
   EXPECT_FALSE(GetArray(arrays, "absent", 3, scalarsBack));
   EXPECT_FALSE(GetArray(arrays, "scalars", 4, scalarsBack)) << "wrong number of tuples";

@@ -3,6 +3,7 @@
 import os
 
 from paraview import simple
+from wrapped.MarrowRendering import vtkLabelColors
 
 import plugin
 from plugin import expect, expect_between, expect_equal, fetch, values
@@ -39,6 +40,22 @@ shifted = write("shifted.seg", "".join(f"{int(s) + 100}\n" for s in segments))
 labelled = simple.SegmentsFromFile(Mesh=creature, SegmentFile=shifted)
 read = values(fetch(labelled).GetCellData().GetArray("SegmentId"))
 expect_equal(read, [s + 100 for s in segments], "segments read from a file")
+
+# Of its own accord ParaView would look for 32 segments, and paint more than that grey.
+count = surface.GetNumberOfCells()
+many = [i * 200 // count + 56 for i in range(count)]
+labelled.SegmentFile = write("many.seg", "".join(f"{s}\n" for s in many))
+simple.Hide(creature, view)
+# The colour map has been used before and knows those segments only.
+simple.Show(labelled, view).RescaleTransferFunctionToDataRange(True)
+plugin.expect_picture(view, "ParaViewManySegments")
+colors = simple.GetColorTransferFunction("SegmentId")
+expected = {str(int(s)) for s in segments + many}
+expect_equal(set(colors.ActiveAnnotatedValues), expected, "segments with colours")
+wanted = [0.0, 0.0, 0.0]
+vtkLabelColors.GetColor(255, wanted)
+for c, w in zip(colors.IndexedColors[-3:], wanted):
+    expect_between(c, w - 1e-5, w + 1e-5, "the last segment's colour")
 
 # ParaView's own Open finds the reader by the file's ending.
 off = write("tetrahedron.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"

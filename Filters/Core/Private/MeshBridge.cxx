@@ -164,11 +164,13 @@ void SetArray(
 void SetIntArray(vtkDataSetAttributes* data, const char* name, const std::vector<int>& values)
 {
   SetScalars<vtkIntArray>(data, name, values);
+  data->GetArray(name)->SetMaxDiscreteValues(MostLabels);
 }
 
 void SetIdArray(vtkDataSetAttributes* data, const char* name, const std::vector<int>& values)
 {
   SetScalars<vtkIdTypeArray>(data, name, values);
+  data->GetArray(name)->SetMaxDiscreteValues(MostLabels);
 }
 
 bool GetArray(vtkDataSetAttributes* data, const char* name, int size, std::vector<double>& values)

@@ -31,6 +31,10 @@ void SetArray(
   vtkDataSetAttributes* data, const char* name, const std::vector<Eigen::Vector3d>& values);
 void SetArray(
   vtkDataSetAttributes* data, const char* name, const std::vector<unsigned char>& values);
+
+/// Up to so many different values viewers take the integers below for labels, each with a colour of its
+/// own; of themselves they stop at 32.
+constexpr unsigned int MostLabels = 256;
 void SetIntArray(vtkDataSetAttributes* data, const char* name, const std::vector<int>& values);
 void SetIdArray(vtkDataSetAttributes* data, const char* name, const std::vector<int>& values);
 

@@ -10,14 +10,15 @@
 
 namespace
 {
-/// Beyond it labels are grey.
-constexpr int LastLabel = 95;
+/// Beyond it labels are grey. As many as the arrays of Marrow's filters let viewers look for.
+constexpr int LastLabel = 255;
 /// Below ParaView's site and user settings, above its built-in ones.
 constexpr double Priority = 0.5;
 
 /// A colour map in the form of ParaView's settings. Only the labels that are there appear in the
-/// legend, but each keeps its colour whatever else is there. ParaView looks for at most 32 different
-/// values; where there are more, all have the NaN colour, here the grey of what has no label.
+/// legend, but each keeps its colour whatever else is there. ParaView looks for as many different
+/// values as the array says (vtkAbstractArray::MaxDiscreteValues, 32 in arrays of others); where there
+/// are more, all have the NaN colour, here the grey of what has no label.
 std::string LabelColorMap()
 {
   std::ostringstream annotations;
