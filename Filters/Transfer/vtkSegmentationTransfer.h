@@ -125,6 +125,15 @@ public:
   vtkGetMacro(SearchRegion, double);
   ///@}
 
+  ///@{
+  /**
+   * Takes a skeleton that was given (ports 2 and 3) away again, so that it is computed. The same as
+   * SetInputConnection(port, nullptr), which ParaView cannot call.
+   */
+  void RemoveSourceSkeleton() { this->SetInputConnection(2, nullptr); }
+  void RemoveTargetSkeleton() { this->SetInputConnection(3, nullptr); }
+  ///@}
+
 protected:
   vtkSegmentationTransfer();
   ~vtkSegmentationTransfer() override = default;

@@ -88,6 +88,10 @@ def check_ports(where, cls, element):
     expect_equal(ports, list(range(algorithm.GetNumberOfInputPorts())), f"{where}: input ports")
     for i in inputs:
         expect(i.findtext("Documentation", "").strip(), f"{where}: an input has no documentation")
+        if i.find("Hints/Optional") is not None:
+            name = i.get("name")
+            expect_equal(i.get("panel_widget"), "input_selector", f"{where}.{name}: widget")
+            expect(hasattr(cls, i.get("clean_command", "")), f"{where}.{name} cannot be taken away")
     outputs = element.findall("OutputPort")
     if algorithm.GetNumberOfOutputPorts() > 1:
         indices = [int(o.get("index")) for o in outputs]
@@ -120,7 +124,8 @@ def check_proxy(group, element, cls):
     expect_equal(algorithm.GetClassName(), cls.__name__, f"{where}: class")
 
     properties = {}
-    shown = 0
+    # Inputs are in a dialog, and in the panel if they can be taken away again.
+    shown = sum(i.get("panel_widget") is not None for i in element.findall("InputProperty"))
     for p in element:
         if not p.tag.endswith("VectorProperty"):
             continue

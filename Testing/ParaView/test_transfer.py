@@ -32,6 +32,12 @@ def main():
         SourceSkeleton=simple.OutputPort(matched, 0), TargetSkeleton=simple.OutputPort(matched, 1))
     again = fetch(staged).GetCellData().GetArray("SegmentId")
     expect_equal(values(again), values(labels), "the labels by stages")
+    # As by "(none)" in the panel.
+    staged.SourceSkeleton = staged.TargetSkeleton = None
+    staged.UpdatePipeline()
+    algorithm = staged.SMProxy.GetClientSideObject()
+    connections = [algorithm.GetNumberOfInputConnections(port) for port in range(4)]
+    expect_equal(connections, [1, 1, 0, 0], "connections without the skeletons")
 
     # Another array, chosen by its name, among several.
     renamed = simple.ProgrammableFilter(Input=source, Script="""

@@ -199,6 +199,19 @@ TEST(TransferInputs, TinyMeshesAndOneSegment)
   ExpectValid(snake, SmallCreature(vtkCreatureSource::SNAKE, 2));
 }
 
+TEST(TransferInputs, SkeletonsAreTakenAwayAgain)
+{
+  vtkNew<vtkSegmentationTransfer> transfer;
+  vtkNew<vtkPolyData> skeleton;
+  transfer->SetInputData(2, skeleton);
+  transfer->SetInputData(3, skeleton);
+  transfer->RemoveSourceSkeleton();
+  EXPECT_EQ(transfer->GetNumberOfInputConnections(2), 0);
+  EXPECT_EQ(transfer->GetNumberOfInputConnections(3), 1);
+  transfer->RemoveTargetSkeleton();
+  EXPECT_EQ(transfer->GetNumberOfInputConnections(3), 0);
+}
+
 TEST(TransferInputs, NoiseIsNoSegmentation)
 {
   const Data snake = SmallCreature(vtkCreatureSource::SNAKE, 1);
