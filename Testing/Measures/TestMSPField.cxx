@@ -22,6 +22,8 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace marrow;
 using namespace marrow::test;
@@ -251,35 +253,70 @@ TEST(MSPField, SaysWhatIsWrong)
   ExpectError(ToPolyData(infinite), "not finite");
 }
 
-TEST(MSPField, StopsWhenAborted)
+// Of several threads the one that reports may have to wait for the others; alone it reports each step.
+class MSPFieldProgress : public testing::Test
 {
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
-  vtkNew<vtkMSPField> filter;
-  filter->SetInputData(ToPolyData(MakeEgg(3)));
-  filter->AddObserver(vtkCommand::ProgressEvent, stop);
-  ErrorObserver errors(filter);
-  filter->Update();
-  EXPECT_EQ(errors.Text(), "");
-  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("MSP"), nullptr);
+protected:
+  void SetUp() override { vtkSMPTools::SetBackend("Sequential"); }
+  void TearDown() override { vtkSMPTools::SetBackend(this->Backend.c_str()); }
+
+  const std::string Backend = vtkSMPTools::GetBackend();
+};
+
+TEST_F(MSPFieldProgress, IsFineAndGrows)
+{
+  for (const int method : { vtkMSPField::SAMPLED, vtkMSPField::ALL_PAIRS })
+  {
+    std::vector<double> seen;
+    vtkNew<vtkCallbackCommand> watch;
+    watch->SetClientData(&seen);
+    watch->SetCallback([](vtkObject*, unsigned long, void* list, void* fraction)
+      { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(fraction)); });
+    vtkNew<vtkMSPField> filter;
+    filter->SetInputData(ToPolyData(MakeEgg(4)));
+    filter->SetAGDMethod(method);
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    filter->Update();
+    ASSERT_GT(seen.size(), 20u);
+    EXPECT_EQ(seen.back(), 1.0);
+    for (std::size_t i = 1; i < seen.size(); ++i)
+    {
+      EXPECT_GE(seen[i], seen[i - 1]);
+      EXPECT_LT(seen[i], seen[i - 1] + 0.05) << "AGDMethod " << method;
+    }
+  }
 }
 
-TEST(MSPField, ReportsProgressThatGrows)
+TEST_F(MSPFieldProgress, StopsWhereverItIsAborted)
 {
-  std::vector<double> seen;
-  vtkNew<vtkCallbackCommand> watch;
-  watch->SetClientData(&seen);
-  watch->SetCallback([](vtkObject*, unsigned long, void* list, void* fraction)
-    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(fraction)); });
-  vtkNew<vtkMSPField> filter;
-  filter->SetInputData(ToPolyData(MakeEgg(5)));
-  filter->AddObserver(vtkCommand::ProgressEvent, watch);
-  filter->Update();
-  ASSERT_GT(seen.size(), 4u);
-  for (std::size_t i = 1; i < seen.size(); ++i)
+  struct Stop
   {
-    EXPECT_GE(seen[i], seen[i - 1]);
-    EXPECT_LE(seen[i], 1.0);
+    double Where;
+    double Last = 0.0;
+  };
+  for (const double where : { -1.0, 0.2, 0.8 })
+  {
+    Stop stop = { where };
+    vtkNew<vtkCallbackCommand> watch;
+    watch->SetClientData(&stop);
+    watch->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void* fraction)
+      {
+        auto* client = static_cast<Stop*>(data);
+        auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+        if (!algorithm->GetAbortExecute())
+        {
+          client->Last = *static_cast<double*>(fraction);
+          algorithm->SetAbortExecute(client->Last > client->Where ? 1 : 0);
+        }
+      });
+    vtkNew<vtkMSPField> filter;
+    filter->SetInputData(ToPolyData(MakeEgg(4)));
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    ErrorObserver errors(filter);
+    filter->Update();
+    EXPECT_LT(stop.Last, 0.9);
+    EXPECT_EQ(errors.Text(), "");
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("MSP"), nullptr) << where;
   }
 }

@@ -30,9 +30,16 @@ bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
 
 Progress ProgressOf(vtkAlgorithm* filter, double from, double to)
 {
-  return [filter, from, to](double fraction)
+  // Nobody sees smaller steps, and who watches may be slow.
+  constexpr double leastStep = 0.001;
+  return [filter, from, to, told = -1.0](double fraction) mutable
   {
-    filter->UpdateProgress(from + (to - from) * fraction);
+    const double done = from + (to - from) * fraction;
+    if (done >= told + leastStep || fraction >= 1.0)
+    {
+      told = done;
+      filter->UpdateProgress(done);
+    }
     return !IsAborted(filter);
   };
 }

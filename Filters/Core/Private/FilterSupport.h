@@ -18,7 +18,8 @@ bool IsAborted(vtkAlgorithm* filter);
 /// and the whole of `input` is with the first. Its output is then to stay empty, and is no error.
 bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input);
 
-/// A callback that moves the filter's progress from `from` to `to` and tells of an abort.
+/// A callback that moves the filter's progress from `from` to `to`, in steps of a thousandth or more,
+/// and tells of an abort.
 Progress ProgressOf(vtkAlgorithm* filter, double from = 0.0, double to = 1.0);
 
 /// Lets a filter that `outer` runs inside itself move outer's progress from `from` to `to`, and stops

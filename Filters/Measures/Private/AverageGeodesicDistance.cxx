@@ -3,6 +3,7 @@
 
 #include "GeodesicSolver.h"
 #include "ParallelFor.h"
+#include "SharedProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,8 @@ namespace marrow
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-// Enough to keep the threads busy between two reports, few enough for an abort to be felt.
-constexpr int BatchesPerReport = 8;
+// Enough to keep the threads busy, few enough for their sums to be kept at the same time.
+constexpr int BatchesPerLoop = 8;
 // On a ball, where all distances are alike, the error of the method alone spreads that far.
 constexpr double RelativeSpread = 0.02;
 
@@ -134,21 +135,28 @@ bool SumOverSources(const GeodesicSolver& solver, int component, const Samples& 
   const int numberOfBatches = static_cast<int>(batches.size());
   // Every batch has its own sum, and they are added in order: the same bits on any number of
   // threads.
-  std::vector<std::vector<double>> partial(std::min(numberOfBatches, BatchesPerReport));
-  for (int first = 0; first < numberOfBatches; first += BatchesPerReport)
+  std::vector<std::vector<double>> partial(std::min(numberOfBatches, BatchesPerLoop));
+  SharedProgress shared(progress);
+  for (int first = 0; first < numberOfBatches; first += BatchesPerLoop)
   {
-    if (!Report(progress, static_cast<double>(first) / numberOfBatches))
-    {
-      return false;
-    }
-    const int last = std::min(first + BatchesPerReport, numberOfBatches);
+    const int last = std::min(first + BatchesPerLoop, numberOfBatches);
     ParallelFor(first, last,
       [&](int from, int to)
       {
         std::vector<float> distances;
         for (int batch = from; batch < to; ++batch)
         {
-          solver.Distances(component, batches[batch], distances);
+          double done = 0.0;
+          const auto addUpTo = [&](double fraction)
+          {
+            const double share = (fraction - done) / numberOfBatches;
+            done = fraction;
+            return shared.Add(share);
+          };
+          if (!solver.Distances(component, batches[batch], distances, addUpTo) || !addUpTo(1.0))
+          {
+            return;
+          }
           std::vector<double>& sum = partial[batch - first];
           sum.assign(size, 0.0);
           for (int i = 0; i < size; ++i)
@@ -162,6 +170,10 @@ bool SumOverSources(const GeodesicSolver& solver, int component, const Samples& 
           }
         }
       });
+    if (!shared.Add(0.0))
+    {
+      return false;
+    }
     for (int batch = first; batch < last; ++batch)
     {
       for (int i = 0; i < size; ++i)

@@ -2,6 +2,7 @@
 #ifndef marrow_GeodesicSolver_h
 #define marrow_GeodesicSolver_h
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 
 #include <vector>
@@ -36,9 +37,9 @@ public:
 
   /// Distances from up to `Lanes` sources, given as ranks, all in the component. On return
   /// distances[Lanes * (r - first rank of the component) + lane] is the distance of rank r from
-  /// sources[lane]; lanes without a source are infinite.
-  void Distances(
-    int component, const std::vector<int>& sources, std::vector<float>& distances) const;
+  /// sources[lane]; lanes without a source are infinite. Returns false when stopped.
+  bool Distances(int component, const std::vector<int>& sources, std::vector<float>& distances,
+    const Progress& progress = Progress()) const;
 
 private:
   /// A triangle seen from one corner: the other two, and the corner's place in a frame with the

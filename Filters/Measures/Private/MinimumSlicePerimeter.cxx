@@ -3,6 +3,7 @@
 
 #include "Constants.h"
 #include "ParallelFor.h"
+#include "SharedProgress.h"
 #include "SliceWalker.h"
 #include "SurfaceMeasures.h"
 
@@ -18,7 +19,8 @@ namespace
 // Vertices of a block are done one after another, each from its neighbour's result. The size is
 // fixed, so that the order of trying does not depend on the number of threads.
 constexpr int VerticesPerBlock = 128;
-constexpr int BlocksPerReport = 32;
+// Every thread has some of these to do.
+constexpr int BlocksPerLoop = 32;
 
 /// The best slice of a vertex so far.
 struct Best
@@ -160,10 +162,15 @@ bool ComputeMinimumSlicePerimeter(
 
   const int numberOfBlocks =
     (static_cast<int>(order.size()) + VerticesPerBlock - 1) / VerticesPerBlock;
+  SharedProgress shared(progress);
   const auto doBlocks = [&](int firstBlock, int lastBlock)
   {
     for (int block = firstBlock; block < lastBlock; ++block)
     {
+      if (!shared.Add(1.0 / numberOfBlocks))
+      {
+        return;
+      }
       const int begin = block * VerticesPerBlock;
       const int end = std::min(begin + VerticesPerBlock, static_cast<int>(order.size()));
       for (int rank = begin; rank < end; ++rank)
@@ -197,13 +204,13 @@ bool ComputeMinimumSlicePerimeter(
       }
     }
   };
-  for (int block = 0; block < numberOfBlocks; block += BlocksPerReport)
+  for (int block = 0; block < numberOfBlocks; block += BlocksPerLoop)
   {
-    if (!Report(progress, static_cast<double>(block) / numberOfBlocks))
+    ParallelFor(block, std::min(block + BlocksPerLoop, numberOfBlocks), doBlocks);
+    if (!shared.Add(0.0))
     {
       return false;
     }
-    ParallelFor(block, std::min(block + BlocksPerReport, numberOfBlocks), doBlocks);
   }
   FillFromNeighbors(mesh, known, field);
   return Report(progress, 1.0);
