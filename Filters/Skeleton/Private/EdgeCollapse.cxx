@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace marrow
 {
@@ -179,11 +178,11 @@ SkeletonGraph CollapseToGraph(const TriangleMesh& closedMesh,
   {
     if (complex.IsAlive(v) && closedMesh.Outgoing[v] >= 0)
     {
-      SkeletonNode node;
+      nodeOfVertex[v] = static_cast<int>(boost::add_vertex(graph));
+      SkeletonNode& node = graph[nodeOfVertex[v]];
       node.Position = position[v];
       node.Vertices = complex.MergedInto(v);
       std::sort(node.Vertices.begin(), node.Vertices.end());
-      nodeOfVertex[v] = static_cast<int>(boost::add_vertex(std::move(node), graph));
     }
   }
   for (const int e : complex.GraphEdges(position))

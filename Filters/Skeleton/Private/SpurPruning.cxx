@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace marrow
 {
@@ -148,7 +149,8 @@ private:
     {
       if (!dead[node])
       {
-        newNode[node] = static_cast<int>(boost::add_vertex(std::move(graph[node]), smaller));
+        newNode[node] = static_cast<int>(boost::add_vertex(smaller));
+        smaller[newNode[node]] = std::move(graph[node]);
       }
     }
     for (auto [e, end] = boost::edges(graph); e != end; ++e)
