@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vtkAppendPolyData.h>
 #include <vtkMSPSkeleton.h>
 #include <vtkSMPTools.h>
 
@@ -241,14 +240,7 @@ TEST(MSPSkeleton, AnOpenMeshIsTreatedLikeTheClosedOne)
 
 TEST(MSPSkeleton, ComponentsGiveSkeletonsOfTheirOwn)
 {
-  const auto one = test::ToPolyData(test::MakeCylinder(1.0, 10.0, 24, 60));
-  const auto two = test::Transformed(
-    one, [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return p + Eigen::Vector3d(9, 0, 0); });
-  vtkNew<vtkAppendPolyData> append;
-  append->AddInputData(one);
-  append->AddInputData(two);
-  append->Update();
-  const test::SkeletonResult result = Skeletonize(append->GetOutput());
+  const test::SkeletonResult result = Skeletonize(test::MakeTwoCylinders());
   EXPECT_EQ(result.Skeleton.NumberOfComponents(), 2);
   EXPECT_EQ(result.Terminals, 4);
 }

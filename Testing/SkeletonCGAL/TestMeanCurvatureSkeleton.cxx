@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vtkAppendPolyData.h>
 #include <vtkMeanCurvatureSkeleton.h>
 #include <vtkSegmentationTransfer.h>
 #include <vtkSkeletonCorrespondence.h>
@@ -247,19 +246,13 @@ TEST(MeanCurvatureSkeleton, SaysWhatIsWrong)
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
 
   errors.Clear();
-  const auto one = test::ToPolyData(cylinder);
-  const auto two = test::Transformed(
-    one, [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return p + Eigen::Vector3d(9, 0, 0); });
-  vtkNew<vtkAppendPolyData> append;
-  append->AddInputData(one);
-  append->AddInputData(two);
-  filter->SetInputConnection(append->GetOutputPort());
+  filter->SetInputData(test::MakeTwoCylinders());
   filter->Update();
   EXPECT_TRUE(errors.HasError("2 components: keep one")) << errors.Text();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
 
   errors.Clear();
-  const auto broken = test::WithMeasures(one);
+  const auto broken = test::WithMeasures(test::ToPolyData(cylinder));
   broken->GetPointData()->GetArray(names::MSP)->SetTuple1(7, std::nan(""));
   filter->SetInputData(broken);
   filter->Update();

@@ -7,14 +7,15 @@
 #include <gtest/gtest.h>
 
 #include <vtkAlgorithm.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCommand.h>
 #include <vtkMSPField.h>
 
 #include <cmath>
 #include <vector>
 
-/// What holds of every filter that makes a skeleton. Link Marrow::Measures, Marrow::Sources and
-/// Marrow::Core.
+/// What holds of every filter that makes a skeleton. Link Marrow::Measures, Marrow::Sources,
+/// Marrow::Core and VTK::FiltersCore.
 namespace marrow::test
 {
 /// The outputs of such a filter, and its skeleton with φ.
@@ -42,6 +43,18 @@ struct SkeletonResult
   vtkSmartPointer<vtkPolyData> PolyData;
   int Terminals = 0;
 };
+
+/// Side by side, one component each.
+inline vtkSmartPointer<vtkPolyData> MakeTwoCylinders()
+{
+  const auto one = ToPolyData(MakeCylinder(1.0, 10.0, 24, 60));
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(one);
+  both->AddInputData(Transformed(
+    one, [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return p + Eigen::Vector3d(9, 0, 0); }));
+  both->Update();
+  return both->GetOutput();
+}
 
 /// Of a cylinder of radius 1 along z, its middle at the origin.
 inline void ExpectCylinderAxis(
