@@ -1,41 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkeletonMatching.h"
 
+#include "LoopOpening.h"
+
 #include <algorithm>
+#include <cstdlib>
 
 namespace marrow
 {
 namespace
 {
-void MarkNodes(
-  const FeatureGraph& graph, const FeatureGroup& group, int id, SkeletonMatch::Side& side)
+/// Every opening tried is a matching of its own.
+constexpr int MaximumOpenings = 4;
+/// An opening has to bring the cost down to this share: with a limb more, some match is always found.
+constexpr double WorthOpening = 0.9;
+
+void MarkNodes(const OpenedSkeleton& skeleton, const FeatureGraph& graph, const FeatureGroup& group,
+  int id, SkeletonMatch::Side& side)
 {
   for (int feature : group.Features)
   {
-    side.NodeId[graph.GetFeatures()[feature].Node] = id;
+    side.NodeId[skeleton.GivenNode[graph.GetFeatures()[feature].Node]] = id;
   }
 }
 
-void MarkBranches(
-  const FeatureGraph& graph, const std::vector<int>& path, int id, SkeletonMatch::Side& side)
+void MarkBranches(const OpenedSkeleton& skeleton, const FeatureGraph& graph,
+  const std::vector<int>& path, int id, SkeletonMatch::Side& side)
 {
   int order = 0;
   for (int dart : path)
   {
-    const int branch = graph.SkeletonBranch(dart);
-    side.BranchId[branch] = id;
-    side.BranchOrder[branch] = order++;
-    side.BranchReversed[branch] = graph.RunsAgainst(dart) ? 1 : 0;
+    const bool against = graph.RunsAgainst(dart);
+    for (const OpenedSkeleton::Part& part :
+      skeleton.PartsAlong(graph.SkeletonBranch(dart), against))
+    {
+      side.BranchId[part.Branch] = id;
+      side.BranchOrder[part.Branch] = order++;
+      side.BranchReversed[part.Branch] = part.Reversed ? 1 : 0;
+    }
   }
 }
 
-SkeletonMatch::Side EmptySide(const Skeleton& skeleton)
+SkeletonMatch::Side EmptySide(const OpenedSkeleton& skeleton)
 {
   SkeletonMatch::Side side;
-  side.NodeId.assign(skeleton.NumberOfNodes(), -1);
-  side.BranchId.assign(skeleton.NumberOfBranches(), -1);
-  side.BranchOrder.assign(skeleton.NumberOfBranches(), -1);
-  side.BranchReversed.assign(skeleton.NumberOfBranches(), 0);
+  side.NodeId.assign(skeleton.GivenNode.size(), -1);
+  side.BranchId.assign(skeleton.GivenBranches, -1);
+  side.BranchOrder.assign(skeleton.GivenBranches, -1);
+  side.BranchReversed.assign(skeleton.GivenBranches, 0);
   return side;
 }
 
@@ -68,13 +80,13 @@ bool VoteForLeaf(const FeatureGraph& source, const FeatureGraph& target,
   statistics = voting.GetStatistics();
   return true;
 }
-}
 
-bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
-  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress)
+/// As MatchSkeletons, with the loops opened that are.
+bool MatchOpened(const OpenedSkeleton& source, const OpenedSkeleton& target,
+  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress = {})
 {
-  const FeatureGraph sourceGraph(source, parameters.DescriptorPieces);
-  const FeatureGraph targetGraph(target, parameters.DescriptorPieces);
+  const FeatureGraph sourceGraph(source.Opened, parameters.DescriptorPieces);
+  const FeatureGraph targetGraph(target.Opened, parameters.DescriptorPieces);
   result = SkeletonMatching();
   std::vector<RatedLeaf> leaves;
   const bool done = parameters.Method == Matcher::ElectorsVoting
@@ -98,16 +110,16 @@ bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
     for (std::size_t i = 0; i < leaf.Match.Nodes.size(); ++i)
     {
       const MatchedNodes& nodes = leaf.Match.Nodes[i];
-      MarkNodes(sourceGraph, nodes.Source, static_cast<int>(i), match.Source);
-      MarkNodes(targetGraph, nodes.Target, static_cast<int>(i), match.Target);
+      MarkNodes(source, sourceGraph, nodes.Source, static_cast<int>(i), match.Source);
+      MarkNodes(target, targetGraph, nodes.Target, static_cast<int>(i), match.Target);
       const bool terminal = sourceGraph.GetFeatures()[nodes.Source.Features[0]].IsTerminal();
       ++(terminal ? match.TerminalPairs : match.JunctionPairs);
     }
     for (std::size_t i = 0; i < leaf.Match.Branches.size(); ++i)
     {
       const MatchedBranches& branches = leaf.Match.Branches[i];
-      MarkBranches(sourceGraph, branches.Source, static_cast<int>(i), match.Source);
-      MarkBranches(targetGraph, branches.Target, static_cast<int>(i), match.Target);
+      MarkBranches(source, sourceGraph, branches.Source, static_cast<int>(i), match.Source);
+      MarkBranches(target, targetGraph, branches.Target, static_cast<int>(i), match.Target);
     }
     match.BranchPairs = static_cast<int>(leaf.Match.Branches.size());
     match.Merges = leaf.Match.Merges;
@@ -120,5 +132,60 @@ bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
     result.Leaves.push_back(std::move(match));
   }
   return Report(progress, 1.0);
+}
+
+/// Opens loops of one skeleton, one after the other, as long as that makes the match cost clearly less.
+bool OpenLoops(int surplus, OpenedSkeleton source, OpenedSkeleton target,
+  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress)
+{
+  OpenedSkeleton& looped = surplus > 0 ? source : target;
+  const int steps = std::min(std::abs(surplus), MaximumOpenings);
+  for (int step = 0; step < steps; ++step)
+  {
+    const OpenedSkeleton before = looped;
+    OpenedSkeleton best = before;
+    bool better = false;
+    const double bound = WorthOpening * result.Leaves.front().GlobalCost;
+    const std::vector<OpenedSkeleton::BranchEnd> ends = before.OpenableEnds();
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      looped = before.OpenedAt(ends[i]);
+      SkeletonMatching candidate;
+      if (!MatchOpened(source, target, parameters, candidate) ||
+        !Report(progress, (step + static_cast<double>(i + 1) / ends.size()) / steps))
+      {
+        return false;
+      }
+      if (candidate.Leaves.front().GlobalCost < std::min(bound, result.Leaves.front().GlobalCost))
+      {
+        better = true;
+        best = looped;
+        result = std::move(candidate);
+      }
+    }
+    if (!better)
+    {
+      break;
+    }
+    looped = best;
+  }
+  return true;
+}
+}
+
+bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
+  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress)
+{
+  const OpenedSkeleton unopenedSource(source);
+  const OpenedSkeleton unopenedTarget(target);
+  constexpr double share = 0.5;
+  const int surplus = source.NumberOfLoops() - target.NumberOfLoops();
+  const bool opens =
+    surplus != 0 && parameters.Method == Matcher::CorrespondenceTree && parameters.GlobalSelection;
+  return MatchOpened(unopenedSource, unopenedTarget, parameters, result,
+           SubProgress(progress, 0.0, opens ? share : 1.0)) &&
+    (!opens ||
+      OpenLoops(surplus, unopenedSource, unopenedTarget, parameters, result,
+        SubProgress(progress, share, 1.0)));
 }
 }

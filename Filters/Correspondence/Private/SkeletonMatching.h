@@ -57,6 +57,10 @@ struct SkeletonMatching
 
 /// Matches two skeletons with at least one branch each. Electors voting has one leaf. False if `progress`
 /// asked to stop.
+///
+/// If one skeleton has more loops than the other, the correspondence tree with global selection also
+/// tries to open the loops that are too many (OpenedSkeleton): the leaves are those of the opening
+/// that costs least, if that is clearly less than without.
 bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
   const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress = {});
 }
