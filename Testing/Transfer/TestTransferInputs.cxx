@@ -92,40 +92,6 @@ TEST(TransferInputs, ErrorsNameSideAndRemedy)
 
 namespace
 {
-/// Only the triangles for which `keep` holds.
-Data Subset(vtkPolyData* input, const std::function<bool(const TriangleMesh&, int)>& keep)
-{
-  TriangleMesh mesh;
-  ToTriangleMesh(input, mesh);
-  const std::vector<int> labels = LabelsOf(input);
-  TriangleMesh part;
-  std::vector<int> partLabels;
-  std::map<int, int> newVertex;
-  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    if (!keep(mesh, t))
-    {
-      continue;
-    }
-    std::array<int, 3> corners;
-    for (int k = 0; k < 3; ++k)
-    {
-      const int v = mesh.Triangles[t][k];
-      const auto [entry, isNew] = newVertex.insert({ v, static_cast<int>(part.Points.size()) });
-      if (isNew)
-      {
-        part.Points.push_back(mesh.Points[v]);
-      }
-      corners[k] = entry->second;
-    }
-    part.Triangles.push_back(corners);
-    partLabels.push_back(labels[t]);
-  }
-  Data result = ToPolyData(part);
-  SetIntArray(result->GetCellData(), names::SegmentId, partLabels);
-  return result;
-}
-
 /// Transfers and checks that every cell has a label of the source.
 void ExpectValid(vtkPolyData* source, vtkPolyData* target)
 {

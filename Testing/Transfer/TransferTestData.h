@@ -10,6 +10,8 @@
 #include <vtkCellData.h>
 #include <vtkMSPSkeleton.h>
 
+#include <array>
+#include <functional>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -77,6 +79,40 @@ inline std::vector<int> LabelsOf(vtkPolyData* mesh)
   GetArray(
     mesh->GetCellData(), names::SegmentId, static_cast<int>(mesh->GetNumberOfCells()), labels);
   return labels;
+}
+
+/// Only the triangles for which `keep` holds.
+inline Data Subset(vtkPolyData* input, const std::function<bool(const TriangleMesh&, int)>& keep)
+{
+  TriangleMesh mesh;
+  ToTriangleMesh(input, mesh);
+  const std::vector<int> labels = LabelsOf(input);
+  TriangleMesh part;
+  std::vector<int> partLabels;
+  std::map<int, int> newVertex;
+  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    if (!keep(mesh, t))
+    {
+      continue;
+    }
+    std::array<int, 3> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = mesh.Triangles[t][k];
+      const auto [entry, isNew] = newVertex.insert({ v, static_cast<int>(part.Points.size()) });
+      if (isNew)
+      {
+        part.Points.push_back(mesh.Points[v]);
+      }
+      corners[k] = entry->second;
+    }
+    part.Triangles.push_back(corners);
+    partLabels.push_back(labels[t]);
+  }
+  Data result = ToPolyData(part);
+  SetIntArray(result->GetCellData(), names::SegmentId, partLabels);
+  return result;
 }
 
 inline double Accuracy(vtkPolyData* result, const std::vector<int>& truth)

@@ -64,6 +64,15 @@ std::vector<SourceSearch::Query> QueriesAsWhole(
   return queries;
 }
 
+/// Of a place that hangs on a matched one, or of none at all.
+constexpr double LeastCertainty = 0.1;
+
+double CertaintyOf(const SkeletonMap::Place& place)
+{
+  constexpr double ofLeftover = 0.5;
+  return place.Matched ? 1.0 : place.IsLeftover ? ofLeftover : LeastCertainty;
+}
+
 std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
   const AnalyzedMesh& target, const std::vector<SkeletonMap::Place>& places,
   const Eigen::Matrix<double, 3, 4>& whole, double width, std::vector<double>& certainty)
@@ -87,7 +96,7 @@ std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
     query.Normal = (transform.leftCols<3>() * normals[v]).normalized();
     query.Node = known ? places[node].SourceNode : -1;
     query.Radius = known ? places[node].Radius : 0.05 * source.Diagonal();
-    certainty[v] = known && places[node].Matched ? 1.0 : 0.1;
+    certainty[v] = node >= 0 ? CertaintyOf(places[node]) : LeastCertainty;
   }
   return queries;
 }
@@ -127,7 +136,7 @@ double Misfit(const AnalyzedMesh& source, const std::vector<double>& areas,
 }
 
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const SkeletonMap& map, bool anyMatched, const SegmentPieces& pieces,
+  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const SegmentPieces& pieces,
   const std::vector<bool>& isTransferred, const Progress& progress)
 {
   const TriangleMesh& mesh = target.Mesh;
@@ -152,8 +161,8 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   if (anyMatched)
   {
     std::vector<double> certainty;
-    const std::vector<SourceSearch::Query> guided = QueriesBySkeleton(
-      source, target, map.PlacesOfTargetNodes(), whole, 0.5 * meanRadius, certainty);
+    const std::vector<SourceSearch::Query> guided =
+      QueriesBySkeleton(source, target, places, whole, 0.5 * meanRadius, certainty);
     std::vector<SourceSearch::Answer> found;
     FindAll(search, guided, found);
     // A correspondence that is wrong brings the surfaces together no better than none.

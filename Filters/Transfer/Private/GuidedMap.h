@@ -38,7 +38,7 @@ struct GuidedMap
 /// or if the skeletons bring the surfaces together no better: then they are of no use, as for a bust
 /// or a machine part.
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const SkeletonMap& map, bool anyMatched, const SegmentPieces& pieces,
+  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const SegmentPieces& pieces,
   const std::vector<bool>& isTransferred, const Progress& progress);
 }
 

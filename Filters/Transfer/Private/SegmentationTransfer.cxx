@@ -8,6 +8,7 @@
 #include "GuidedMap.h"
 #include "InteriorLabels.h"
 #include "LabelCleanUp.h"
+#include "LeftoverPlaces.h"
 #include "RegionMatch.h"
 #include "SegmentLoops.h"
 #include "SkeletonMap.h"
@@ -39,14 +40,13 @@ void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
 /// Pieces that lie for the most part on matched branches, or hold a part of what is matched: a matched
 /// node whose φ lies for the most part in them. (A patch on a limb holds no node; a body is one even
 /// if most of its surface belongs to a branch of its own that has no partner.)
-std::vector<bool> TransferredPieces(
-  const AnalyzedMesh& source, const SegmentPieces& pieces, const SkeletonMap& map, bool anyMatched)
+std::vector<bool> TransferredPieces(const AnalyzedMesh& source, const SegmentPieces& pieces,
+  const std::vector<bool>& isMatched, bool anyMatched)
 {
   if (!anyMatched)
   {
     return std::vector<bool>(pieces.NumberOfPieces(), true);
   }
-  const std::vector<bool> isMatched = map.MatchedSourceNodes();
   std::vector<std::map<int, double>> areaInPieces(isMatched.size());
   std::vector<double> matched(pieces.NumberOfPieces(), 0.0);
   for (int t = 0; t < source.Mesh.NumberOfTriangles(); ++t)
@@ -249,14 +249,17 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   SkeletonMap map(source, target, match);
   SetAlignments(source, target, match, parameters, map);
   const bool anyMatched = !match.IsEmpty();
-  const std::vector<bool> isTransferred = TransferredPieces(source, pieces, map, anyMatched);
+  std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
+  std::vector<bool> isMatched = map.MatchedSourceNodes();
+  PlaceLeftovers(source, target, places, isMatched);
+  const std::vector<bool> isTransferred = TransferredPieces(source, pieces, isMatched, anyMatched);
   if (!watched(0.1))
   {
     return result;
   }
 
   const GuidedMap guided = BuildGuidedMap(
-    source, target, map, anyMatched, pieces, isTransferred, SubProgress(watched, 0.1, 0.5));
+    source, target, places, anyMatched, pieces, isTransferred, SubProgress(watched, 0.1, 0.5));
   if (!watched(0.5))
   {
     return result;

@@ -49,8 +49,9 @@ public:
   {
     bool Known = false;   ///< false: its component has nothing matched
     bool Matched = false; ///< false: it hangs on the place where its branch leaves the matched part
-    int SourceNode = -1;  ///< nearest node of the source
-    double Radius = 0.0;  ///< source radius there
+    bool IsLeftover = false; ///< not matched, but found where it lies: see PlaceLeftovers
+    int SourceNode = -1;     ///< nearest node of the source
+    double Radius = 0.0;     ///< source radius there
     Eigen::Matrix<double, 3, 4> Transform =
       Eigen::Matrix<double, 3, 4>::Zero(); ///< target to source
   };
