@@ -64,7 +64,7 @@
  * | CorrespondenceCorePairs | field | vtkIdType | pairs of junctions the tree begins with |
  * | CorrespondenceMerges | field | vtkIdType | mergings of junctions and branches, in all nodes |
  * | CorrespondenceClusters | field | vtkIdType | clusters of branches found, in all nodes |
- * | CorrespondenceLeaves | field | vtkIdType | different leaves of the tree, without refined ones |
+ * | CorrespondenceLeaves | field | vtkIdType | leaves of the tree, some may say the same |
  * | CorrespondenceConfidence | field | double | in [0,1], see below |
  *
  * Only terminals and junctions have a CorrespondenceId. Several points of one skeleton with one id
@@ -78,10 +78,11 @@
  * the share of terminals that may be expected to be matched with the same part, judged by GlobalCost
  * as fitted to labelled meshes.
  *
- * Output port 2: vtkTable, one row per leaf, the best first; row i is what LeafIndex i puts out.
- * Electors voting has one row, the winner. Columns GlobalCost, PaperCost (the paper's equation 7), Confidence, SourceCoverage,
- * TargetCoverage (double; matched length over the skeleton's), Refined (unsigned char; 1 if not of
- * the tree), JunctionPairs, TerminalPairs, BranchPairs, Merges (vtkIdType).
+ * Output port 2: vtkTable, one row per leaf, the best first, of leaves that match the same only the
+ * best; row i is what LeafIndex i puts out. Electors voting has one row, the winner. Columns GlobalCost,
+ * PaperCost (the paper's equation 7), Confidence, SourceCoverage, TargetCoverage (double; matched
+ * length over the skeleton's), Refined (unsigned char; 1 if not of the tree), JunctionPairs,
+ * TerminalPairs, BranchPairs, Merges (vtkIdType).
  *
  * Errors: a skeleton that is empty, lacks an array, has values that are not finite or lines that
  * run through junctions; LeafIndex beyond the last leaf.

@@ -112,30 +112,38 @@ void AddPaperCosts(std::vector<RatedLeaf>& leaves)
   }
 }
 
-/// Whether two leaves match the same, in whatever order and direction.
-bool SameMatch(const FeatureCorrespondence& a, const FeatureCorrespondence& b)
+/// What a leaf matches with what, in whatever order and direction: equal for leaves that say the same.
+using Statement = std::set<std::vector<std::vector<int>>>;
+
+Statement StatementOf(const FeatureCorrespondence& match)
 {
-  const auto partsOf = [](const FeatureCorrespondence& match)
+  Statement parts;
+  for (const MatchedNodes& nodes : match.Nodes)
   {
-    std::set<std::vector<std::vector<int>>> parts;
-    for (const MatchedNodes& nodes : match.Nodes)
+    parts.insert({ nodes.Source.Features, nodes.Target.Features });
+  }
+  for (const MatchedBranches& branches : match.Branches)
+  {
+    std::vector<std::vector<int>> chains{ branches.Source, branches.Target, { 0 } };
+    for (std::vector<int>* chain : { &chains[0], &chains[1] })
     {
-      parts.insert({ nodes.Source.Features, nodes.Target.Features });
+      std::transform(
+        chain->begin(), chain->end(), chain->begin(), [](int dart) { return dart / 2; });
+      std::sort(chain->begin(), chain->end());
     }
-    for (const MatchedBranches& branches : match.Branches)
-    {
-      std::vector<std::vector<int>> chains{ branches.Source, branches.Target, { 0 } };
-      for (std::vector<int>* chain : { &chains[0], &chains[1] })
-      {
-        std::transform(
-          chain->begin(), chain->end(), chain->begin(), [](int dart) { return dart / 2; });
-        std::sort(chain->begin(), chain->end());
-      }
-      parts.insert(chains);
-    }
-    return parts;
-  };
-  return partsOf(a) == partsOf(b);
+    parts.insert(chains);
+  }
+  return parts;
+}
+
+/// Of leaves that say the same the first stays.
+void RemoveRepetitions(std::vector<RatedLeaf>& leaves)
+{
+  std::set<Statement> said;
+  leaves.erase(
+    std::remove_if(leaves.begin(), leaves.end(),
+      [&](const RatedLeaf& leaf) { return !said.insert(StatementOf(leaf.Match)).second; }),
+    leaves.end());
 }
 
 void SortBy(std::vector<RatedLeaf>& leaves, double RatedLeaf::*cost)
@@ -158,13 +166,16 @@ std::vector<RatedLeaf> RefineLeaves(const TerminalPaths& source, const TerminalP
   {
     starts.push_back(TerminalAssignment(source, target, leaves[i].Match));
   }
+  std::set<Statement> said;
+  for (const RatedLeaf& leaf : leaves)
+  {
+    said.insert(StatementOf(leaf.Match));
+  }
   std::vector<RatedLeaf> refined;
   for (const GlobalCost::Assignment& end : Descend(cost, target, starts))
   {
     const FeatureCorrespondence match = MatchBySplits(source, target, end);
-    if (!match.Nodes.empty() &&
-      std::none_of(leaves.begin(), leaves.end(),
-        [&](const RatedLeaf& other) { return SameMatch(other.Match, match); }))
+    if (!match.Nodes.empty() && said.count(StatementOf(match)) == 0)
     {
       refined.push_back(Rate(source.Graph(), target.Graph(), match));
       refined.back().Refined = true;
@@ -250,6 +261,7 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
         targetPaths, &MatchedBranches::Target, &MatchedNodes::Target, leaf.Match);
     }
   }
+  RemoveRepetitions(result);
   return result;
 }
 

@@ -22,7 +22,8 @@ struct RatedLeaf
 
 /// The leaves with their costs, the best first; equal ones stay in the order of the tree. The cost is the
 /// paper's, or if `global` the global one; where both skeletons have one component, the best leaves are
-/// then refined by Descend and MatchBySplits, and the results are leaves of their own.
+/// then refined by Descend and MatchBySplits, and the results are leaves of their own. Of leaves that match
+/// the same only the best is kept.
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global);
 
