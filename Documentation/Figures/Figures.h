@@ -31,6 +31,7 @@ using Drawings = std::map<std::string, Drawing>;
 Drawings MeasureFigures();
 Drawings SkeletonFigures();
 Drawings CorrespondenceFigures();
+Drawings LoopFigures();
 Drawings GhostFigures();
 Drawings RegionFigures();
 Drawings SnakeFigures();

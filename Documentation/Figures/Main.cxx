@@ -19,10 +19,10 @@ int main(int argc, char* argv[])
   std::set<std::string> wanted(argv + 3, argv + argc);
   const bool all = wanted.empty();
   int failures = 0;
-  for (const figures::Drawings& drawings :
-    { figures::MeasureFigures(), figures::SkeletonFigures(), figures::CorrespondenceFigures(),
-      figures::GhostFigures(), figures::RegionFigures(), figures::SnakeFigures(),
-      figures::TransferFigures(), figures::LimitationFigures(), figures::ReferenceFigures() })
+  for (const figures::Drawings& drawings : { figures::MeasureFigures(), figures::SkeletonFigures(),
+         figures::CorrespondenceFigures(), figures::LoopFigures(), figures::GhostFigures(),
+         figures::RegionFigures(), figures::SnakeFigures(), figures::TransferFigures(),
+         figures::LimitationFigures(), figures::ReferenceFigures() })
   {
     for (const auto& [name, draw] : drawings)
     {
