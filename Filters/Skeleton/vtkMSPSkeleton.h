@@ -19,7 +19,8 @@
  * - The number of independent loops of the skeleton is the genus of the mesh, by construction: the
  *   collapse keeps track of the homology of the surface and closes the loops round tubes only.
  * - Spurs are told from limbs by prominence (length over thickness) and share of the area; the cut
- *   is made in the widest gap of the two.
+ *   is made in the widest gap of the two. The vertices of a spur count for the node where it hung (for
+ *   its φ and all means over φ), but not for where the nodes stand.
  * - Regular nodes are evened out, stand in the middle of their ring, inside the surface; terminals
  *   reach for the tip.
  *

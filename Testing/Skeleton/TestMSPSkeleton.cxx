@@ -219,6 +219,70 @@ TEST(MSPSkeleton, FinestAreaDecidesWhatIsALimb)
   EXPECT_GE(Skeletonize(creature.Mesh, 0.0001).Terminals, 6);
 }
 
+/// A cylinder of radius 1 along z, with a limb of radius 0.3 and length 3 along x, pulled out of the
+/// disc of radius 0.9 round its middle. Sets `onLimb` of the vertices that stand out.
+TriangleMesh MakeCylinderWithLimb(double length, std::vector<char>& onLimb)
+{
+  constexpr double Disc = 0.9;
+  constexpr double LimbRadius = 0.3;
+  constexpr double LimbLength = 3.0;
+  TriangleMesh mesh = test::MakeCylinder(1.0, length, 80, 150);
+  onLimb.assign(mesh.Points.size(), 0);
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    Eigen::Vector3d& p = mesh.Points[v];
+    const Eigen::Vector2d arc(std::atan2(p.y(), p.x()), p.z());
+    const double t = arc.norm() / Disc;
+    if (t >= 1.0 || std::abs(p.head<2>().norm() - 1.0) > 1e-9)
+    {
+      continue;
+    }
+    // The inner fifth is the cap, the outer fifth what is left of the disc, the wall in between.
+    const double height = LimbLength * std::clamp((0.8 - t) / 0.6, 0.0, 1.0);
+    const double radius = t < 0.2 ? LimbRadius * t / 0.2
+                                  : LimbRadius + (Disc - LimbRadius) * std::max(0.0, t - 0.8) / 0.2;
+    const Eigen::Vector2d moved = t > 0.0 ? Eigen::Vector2d(arc.normalized() * radius) : arc;
+    p = Eigen::Vector3d(std::cos(moved.x()) + height, std::sin(moved.x()), moved.y());
+    onLimb[v] = height > 0.5;
+  }
+  return mesh;
+}
+
+TEST(MSPSkeleton, APrunedLimbDoesNotMoveTheLineThatIsLeft)
+{
+  const double length = 14.0;
+  std::vector<char> onLimb;
+  const TriangleMesh mesh = MakeCylinderWithLimb(length, onLimb);
+  const auto polyData = test::WithMeasures(test::ToPolyData(mesh));
+  ASSERT_EQ(Skeletonize(polyData).Terminals, 3);
+
+  const test::SkeletonResult pruned = Skeletonize(polyData, 0.2);
+  ASSERT_EQ(pruned.Terminals, 2);
+  int foot = -1;
+  double farthest = 0.0;
+  for (int n = 0; n < pruned.Skeleton.NumberOfNodes(); ++n)
+  {
+    const SkeletonNode& node = pruned.Skeleton.Graph[n];
+    if (std::abs(node.Position.z()) < length / 2.0 - 1.5)
+    {
+      farthest = std::max(farthest, node.Position.head<2>().norm());
+    }
+    for (const int v : node.Vertices)
+    {
+      // All of the limb belongs to one node, the one where it hung.
+      if (onLimb[v])
+      {
+        EXPECT_TRUE(foot < 0 || foot == n) << "vertex " << v;
+        foot = n;
+      }
+    }
+  }
+  EXPECT_LT(farthest, 0.1);
+  ASSERT_GE(foot, 0);
+  EXPECT_LT(std::abs(pruned.Skeleton.Graph[foot].Position.z()), 0.3);
+  EXPECT_LT(pruned.Skeleton.TotalLength(), 1.01 * length);
+}
+
 TEST(MSPSkeleton, AnOpenMeshIsTreatedLikeTheClosedOne)
 {
   TriangleMesh mesh = test::MakeCylinder(1.0, 12.0, 40, 100);

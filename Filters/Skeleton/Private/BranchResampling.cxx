@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BranchResampling.h"
 
+#include "BranchProjection.h"
 #include "Constants.h"
 #include "PatchConnectivity.h"
 
@@ -10,14 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace marrow
 {
 namespace
 {
-/// How far along the old branch, in nodes, a vertex may move from the node it was collapsed to: a
-/// branch that bends back on itself must not swap its rings.
-constexpr int Reach = 3;
 /// The terminal's place between the middle of its cap and the tip: inside, and close to the end.
 constexpr double TowardsTip = 0.7;
 /// The part of the cap, from its outermost point, that counts as the tip.
@@ -29,33 +28,6 @@ constexpr double LargestStiffness = 1e3;
 /// How far a node's place reaches along the branch, over the local radius: no centre line winds more
 /// tightly than the part is thick.
 constexpr double SmoothingLength = 0.4;
-
-struct Projection
-{
-  double SquaredDistance = std::numeric_limits<double>::infinity();
-  double Arc = 0.0;
-};
-
-Projection Project(const Eigen::Vector3d& point, const Skeleton& skeleton, const Branch& branch,
-  int firstSegment, int lastSegment)
-{
-  Projection best;
-  for (int i = firstSegment; i <= lastSegment; ++i)
-  {
-    const Eigen::Vector3d& a = skeleton.Graph[branch.Nodes[i]].Position;
-    const Eigen::Vector3d d = skeleton.Graph[branch.Nodes[i + 1]].Position - a;
-    const double squaredLength = d.squaredNorm();
-    const double t =
-      squaredLength > 0.0 ? std::clamp((point - a).dot(d) / squaredLength, 0.0, 1.0) : 0.0;
-    const double squaredDistance = (a + t * d - point).squaredNorm();
-    if (squaredDistance < best.SquaredDistance)
-    {
-      best.SquaredDistance = squaredDistance;
-      best.Arc = branch.ArcLength[i] + t * (branch.ArcLength[i + 1] - branch.ArcLength[i]);
-    }
-  }
-  return best;
-}
 
 Eigen::Vector3d PointAt(const Skeleton& skeleton, const Branch& branch, double arc)
 {
@@ -123,10 +95,38 @@ private:
   std::vector<int> NewFeature;
   std::vector<std::vector<int>> NodesOfBranch;
 };
+
+void JoinRemovedLimbs(const std::vector<int>& removedLimb, std::vector<int>& nodeOfVertex)
+{
+  std::map<int, std::map<int, int>> votesOfLimb;
+  for (std::size_t v = 0; v < removedLimb.size(); ++v)
+  {
+    if (removedLimb[v] >= 0 && nodeOfVertex[v] >= 0)
+    {
+      ++votesOfLimb[removedLimb[v]][nodeOfVertex[v]];
+    }
+  }
+  std::map<int, int> nodeOfLimb;
+  for (const auto& [limb, votes] : votesOfLimb)
+  {
+    nodeOfLimb[limb] = std::max_element(votes.begin(), votes.end(),
+      [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first;
+  }
+  for (std::size_t v = 0; v < removedLimb.size(); ++v)
+  {
+    if (removedLimb[v] >= 0 && nodeOfVertex[v] >= 0)
+    {
+      nodeOfVertex[v] = nodeOfLimb[removedLimb[v]];
+    }
+  }
+}
 }
 
 Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
-  const std::vector<Eigen::Vector3d>& shrunk, const std::vector<double>& weight, double spacing)
+  const std::vector<Eigen::Vector3d>& shrunk, const std::vector<double>& weight,
+  const std::vector<int>& removedLimb, double spacing)
 {
   Resampling resampling(skeleton, spacing);
 
@@ -135,14 +135,13 @@ Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
   for (int b = 0; b < skeleton.NumberOfBranches(); ++b)
   {
     const Branch& branch = skeleton.Branches[b];
-    const int lastSegment = static_cast<int>(branch.Nodes.size()) - 2;
-    for (int i = 0; i <= lastSegment + 1; ++i)
+    const int numberOfNodes = static_cast<int>(branch.Nodes.size());
+    for (int i = 0; i < numberOfNodes; ++i)
     {
       for (const int v : skeleton.Graph[branch.Nodes[i]].Vertices)
       {
         // The φ of a junction is seen once from each of its branches: the nearest takes the vertex.
-        const Projection projection = Project(shrunk[v], skeleton, branch, std::max(0, i - Reach),
-          std::min(lastSegment, i + Reach - 1));
+        const BranchProjection projection = ProjectNear(shrunk[v], skeleton, branch, i);
         if (projection.SquaredDistance < squaredDistance[v])
         {
           squaredDistance[v] = projection.SquaredDistance;
@@ -151,6 +150,7 @@ Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
       }
     }
   }
+  JoinRemovedLimbs(removedLimb, nodeOfVertex);
   JoinStrayPieces(mesh, nodeOfVertex);
 
   Skeleton result = std::move(resampling.New);
@@ -246,7 +246,8 @@ void SmoothBranches(
   }
 }
 
-void ExtendTerminals(Skeleton& skeleton, const TriangleMesh& mesh)
+void ExtendTerminals(
+  Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<int>& removedLimb)
 {
   for (const Branch& branch : skeleton.Branches)
   {
@@ -264,13 +265,17 @@ void ExtendTerminals(Skeleton& skeleton, const TriangleMesh& mesh)
       double farthest = 0.0;
       for (const int v : node.Vertices)
       {
-        farthest = std::max(farthest, (mesh.Points[v] - node.Position).dot(direction));
+        if (removedLimb[v] < 0)
+        {
+          farthest = std::max(farthest, (mesh.Points[v] - node.Position).dot(direction));
+        }
       }
       Eigen::Vector3d end = Eigen::Vector3d::Zero();
       int count = 0;
       for (const int v : node.Vertices)
       {
-        if ((mesh.Points[v] - node.Position).dot(direction) >= EndOfCap * farthest)
+        if (removedLimb[v] < 0 &&
+          (mesh.Points[v] - node.Position).dot(direction) >= EndOfCap * farthest)
         {
           end += mesh.Points[v];
           ++count;

@@ -57,16 +57,22 @@ Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& me
   CenterNodes(skeleton, shrunk, weight);
   skeleton.ExtractBranches();
 
-  PruneSpurs(skeleton, mesh, measures.MSP, finestArea);
+  const std::vector<int> removedLimb = PruneSpurs(skeleton, mesh, shrunk, measures.MSP, finestArea);
+  for (std::size_t v = 0; v < weight.size(); ++v)
+  {
+    // A removed limb would draw the line that is left towards itself.
+    weight[v] = removedLimb[v] < 0 ? weight[v] : 0.0;
+  }
   if (!Report(progress, 0.9))
   {
     return {};
   }
   const double coarsest =
     skeleton.TotalLength() * LeastVerticesPerNode / std::max(1, mesh.NumberOfVertices());
-  skeleton = ResampleBranches(skeleton, mesh, shrunk, weight, std::max(spacing, coarsest));
+  skeleton =
+    ResampleBranches(skeleton, mesh, shrunk, weight, removedLimb, std::max(spacing, coarsest));
   SmoothBranches(skeleton, weight, measures.MSP);
-  ExtendTerminals(skeleton, mesh);
+  ExtendTerminals(skeleton, mesh, removedLimb);
   MoveNodesInside(skeleton, mesh);
   AverageMeasures(skeleton, mesh, measures);
   Report(progress, 1.0);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpurPruning.h"
 
+#include "BranchProjection.h"
 #include "Constants.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -23,12 +25,23 @@ struct Candidate
   double Significance = 0.0;
 };
 
+/// A node number on a branch, 0 or the last.
+struct BranchEnd
+{
+  int Branch;
+  int Step;
+};
+
 class Pruner
 {
 public:
-  Pruner(const TriangleMesh& mesh, const std::vector<double>& msp, double finestArea)
-    : Mesh(mesh)
+  Pruner(Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& shrunk,
+    const std::vector<double>& msp, double finestArea)
+    : Pruned(skeleton)
+    , Mesh(mesh)
+    , Shrunk(shrunk)
     , MSP(msp)
+    , RemovedLimb(mesh.Points.size(), -1)
     , Area(mesh.VertexAreas())
     , FinestArea(finestArea * std::accumulate(this->Area.begin(), this->Area.end(), 0.0))
   {
@@ -36,12 +49,12 @@ public:
 
   /// Removes `count` spurs, or as many as are less significant than the top of the window; returns
   /// the significances in the order of removal, and that of the first that stays.
-  std::vector<double> Remove(Skeleton& skeleton, int count) const
+  std::vector<double> Remove(int count)
   {
     std::vector<double> removed;
     for (;;)
     {
-      const Candidate candidate = this->LeastSignificant(skeleton);
+      const Candidate candidate = this->LeastSignificant();
       if (candidate.Branch < 0)
       {
         return removed;
@@ -52,15 +65,19 @@ public:
       {
         return removed;
       }
-      RemoveBranch(skeleton, candidate);
+      this->MarkLimb(candidate);
+      this->RemoveBranch(candidate);
     }
   }
+
+  const std::vector<int>& GetRemovedLimb() const { return this->RemovedLimb; }
 
   static constexpr int AsManyAsPossible = 1 << 30;
 
 private:
-  Candidate LeastSignificant(const Skeleton& skeleton) const
+  Candidate LeastSignificant() const
   {
+    const Skeleton& skeleton = this->Pruned;
     Candidate least;
     for (int b = 0; b < skeleton.NumberOfBranches(); ++b)
     {
@@ -73,7 +90,7 @@ private:
       }
       const int junction = frontIsTerminal ? branch.Back() : branch.Front();
       const int terminal = frontIsTerminal ? branch.Front() : branch.Back();
-      const double significance = this->Significance(skeleton, branch, junction, terminal);
+      const double significance = this->Significance(branch, junction, terminal);
       if (least.Branch < 0 || significance < least.Significance)
       {
         least = { b, junction, significance };
@@ -82,11 +99,10 @@ private:
     return least;
   }
 
-  double Significance(
-    const Skeleton& skeleton, const Branch& branch, int junction, int terminal) const
+  double Significance(const Branch& branch, int junction, int terminal) const
   {
-    const SkeletonNode& root = skeleton.Graph[junction];
-    const SkeletonNode& tip = skeleton.Graph[terminal];
+    const SkeletonNode& root = this->Pruned.Graph[junction];
+    const SkeletonNode& tip = this->Pruned.Graph[terminal];
     double body = 0.0;
     for (const int v : root.Vertices)
     {
@@ -109,7 +125,7 @@ private:
       {
         continue;
       }
-      for (const int v : skeleton.Graph[node].Vertices)
+      for (const int v : this->Pruned.Graph[node].Vertices)
       {
         area += this->Area[v];
         if ((this->Mesh.Points[v] - root.Position).norm() > body)
@@ -128,8 +144,62 @@ private:
     return std::max(0.0, std::min(prominence / LimbProminence, area / this->FinestArea));
   }
 
-  static void RemoveBranch(Skeleton& skeleton, const Candidate& candidate)
+  /// The spurs that were removed from a limb before go with it.
+  void MarkLimb(const Candidate& candidate)
   {
+    const SkeletonGraph& graph = this->Pruned.Graph;
+    const std::vector<BranchEnd> ends = this->EndsAt(candidate.Junction);
+    for (const int node : this->Pruned.Branches[candidate.Branch].Nodes)
+    {
+      for (const int v : graph[node].Vertices)
+      {
+        if (node != candidate.Junction ||
+          (this->RemovedLimb[v] < 0 && this->IsNearestTo(candidate.Branch, v, ends)))
+        {
+          this->RemovedLimb[v] = this->NumberOfRemovals;
+        }
+      }
+    }
+    ++this->NumberOfRemovals;
+  }
+
+  std::vector<BranchEnd> EndsAt(int junction) const
+  {
+    std::vector<BranchEnd> ends;
+    for (int b = 0; b < this->Pruned.NumberOfBranches(); ++b)
+    {
+      const Branch& branch = this->Pruned.Branches[b];
+      if (branch.Front() == junction)
+      {
+        ends.push_back({ b, 0 });
+      }
+      if (branch.Back() == junction)
+      {
+        ends.push_back({ b, static_cast<int>(branch.Nodes.size()) - 1 });
+      }
+    }
+    return ends;
+  }
+
+  /// Whether a vertex of the junction is nearer to the branch than to all others. What is nearest to
+  /// the junction itself is as near to one as to the other.
+  bool IsNearestTo(int branch, int vertex, const std::vector<BranchEnd>& ends) const
+  {
+    double own = std::numeric_limits<double>::infinity();
+    double others = own;
+    for (const BranchEnd& end : ends)
+    {
+      double& least = end.Branch == branch ? own : others;
+      const BranchProjection projection = ProjectNear(
+        this->Shrunk[vertex], this->Pruned, this->Pruned.Branches[end.Branch], end.Step);
+      least = std::min(least, projection.SquaredDistance);
+    }
+    return own < others;
+  }
+
+  void RemoveBranch(const Candidate& candidate)
+  {
+    Skeleton& skeleton = this->Pruned;
     SkeletonGraph& graph = skeleton.Graph;
     std::vector<char> dead(boost::num_vertices(graph), 0);
     auto& kept = graph[candidate.Junction].Vertices;
@@ -166,8 +236,12 @@ private:
     skeleton.ExtractBranches();
   }
 
+  Skeleton& Pruned;
   const TriangleMesh& Mesh;
+  const std::vector<Eigen::Vector3d>& Shrunk;
   const std::vector<double>& MSP;
+  std::vector<int> RemovedLimb;
+  int NumberOfRemovals = 0;
   std::vector<double> Area;
   double FinestArea;
 };
@@ -195,12 +269,14 @@ int WidestGap(const std::vector<double>& significances)
 }
 }
 
-void PruneSpurs(
-  Skeleton& skeleton, const TriangleMesh& mesh, const std::vector<double>& msp, double finestArea)
+std::vector<int> PruneSpurs(Skeleton& skeleton, const TriangleMesh& mesh,
+  const std::vector<Eigen::Vector3d>& shrunk, const std::vector<double>& msp, double finestArea)
 {
-  const Pruner pruner(mesh, msp, finestArea);
   Skeleton trial = skeleton;
-  const int count = WidestGap(pruner.Remove(trial, Pruner::AsManyAsPossible));
-  pruner.Remove(skeleton, count);
+  Pruner trialPruner(trial, mesh, shrunk, msp, finestArea);
+  const int count = WidestGap(trialPruner.Remove(Pruner::AsManyAsPossible));
+  Pruner pruner(skeleton, mesh, shrunk, msp, finestArea);
+  pruner.Remove(count);
+  return pruner.GetRemovedLimb();
 }
 }
