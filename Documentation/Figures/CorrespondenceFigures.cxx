@@ -78,7 +78,7 @@ Picture DrawTree(const std::string&)
 Picture DrawLeafIndex(const std::string&)
 {
   std::vector<Picture> pictures;
-  for (const int leaf : { 0, 2, 8 })
+  for (const int leaf : { 0, 1, 4 })
   {
     pictures.push_back(
       DrawMatch(Bipeds().first, Bipeds().second, 145, 270, "leaf " + std::to_string(leaf),

@@ -186,17 +186,17 @@ Picture DrawGhostBoundaries(const std::string&)
 Picture DrawTheta(const std::string& meshes)
 {
   const CamelNeck camel(meshes);
-  const marrow::TransferParameters defaults;
-  const std::vector<Point> profile = ProfileOf(camel.Camel, camel.Neck, defaults.Kernel);
+  // A little less smooth than by default, for more peaks to choose from.
+  constexpr double kernel = 0.02;
+  const std::vector<Point> profile = ProfileOf(camel.Camel, camel.Neck, kernel);
   std::vector<Picture> pictures;
-  for (const char* theta : { "1.1", "1.5", "3" })
+  for (const char* theta : { "1.1", "1.5", "6" })
   {
     Canvas canvas(290, 240);
     Axes axes(canvas, { 65, 50 }, { 280, 205 }, { 0, 0 }, { 1, 1.1 * Highest(profile) });
     axes.Frame("arc ratio", "mean |MSP gradient|");
     DrawProfile(canvas, axes, profile,
-      marrow::FindGhostBoundaries(camel.Camel, camel.Neck, std::stod(theta), defaults.Kernel),
-      Blue);
+      marrow::FindGhostBoundaries(camel.Camel, camel.Neck, std::stod(theta), kernel), Blue);
     canvas.Text({ 172, 225 }, std::string("Theta ") + theta, 15);
     pictures.push_back(canvas.Draw());
   }

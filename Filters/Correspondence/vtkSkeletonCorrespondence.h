@@ -23,6 +23,16 @@
  * leaves of their own. The pose matters little; the numbering of points, position, orientation and
  * size do not matter.
  *
+ * A limb that touches another and was modelled as one with it (a hand on a thigh) is a loop that the
+ * other skeleton may not have. With the correspondence tree and GlobalSelection, the skeleton with
+ * more loops is therefore also tried with one opened: a branch on a loop is taken off a junction of
+ * three branches, ends in a tip there, and the two others are one branch. The best such opening is kept
+ * if it brings the lowest GlobalCost to less than 0.9 of what it was, and the next loop is tried, until
+ * both skeletons have equally many loops or four are opened. The outputs are always the skeletons as
+ * they were given: the junction that the branch was taken off has the CorrespondenceId of the tip, and
+ * the two others are a chain. Statistics and leaves are those of the opening that was kept. With
+ * electors voting, or with GlobalSelection off, no loop is opened.
+ *
  * Skeletons without a junction (a snake, a capsule) are matched along the path between their
  * terminals in the direction in which MSP and AGD run alike; rings without a junction (a torus) by
  * the ring. Several components are matched largest with most alike, each component once, and not
@@ -41,7 +51,8 @@
  *
  * Limits: a horn goes to an ear, or a head without a muzzle to an ear, where the target has nothing
  * better; of rotational symmetries (an octopus) any rotation may come out; left and right of bodies
- * whose skeletons are flat are a guess.
+ * whose skeletons are flat are a guess; loops are opened on one side only, and not where limbs have
+ * grown together at a junction of more than three branches.
  *
  * Input port 0: the source, a skeleton (vtkPolyData) of vtkMSPSkeleton or vtkMeanCurvatureSkeleton.
  * Input port 1: the target, another one.

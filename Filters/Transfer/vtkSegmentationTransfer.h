@@ -18,8 +18,15 @@
  * connected piece of a segment on the source is one connected piece on the target, or absent and
  * reported.
  *
- * A segment that lies on branches without a partner is not guessed: its faces join the neighbour and
- * a warning names it. If the skeletons have no matched branch at all, or bring the surfaces together
+ * Parts of the two skeletons that are matched on neither side but lie in the same place (the backs of
+ * two chairs, one with a loop more) are taken for each other by the guided map: each connected part of
+ * the target without a partner is carried by the similarity that fits the matched nodes best, those
+ * near it counting most, and its nodes stand for the nearest ones of the source without a partner, no
+ * further away than 0.15 of the source's bounding box diagonal. They count half as certain as matched
+ * ones. No boundary is placed on such a part by itself; the map alone brings its segments.
+ *
+ * Any other segment that lies on branches without a partner is not guessed: its faces join the
+ * neighbour and a warning names it. If the skeletons have no matched branch at all, or bring the surfaces together
  * no better than their principal axes do (a bust, a machine part), the meshes are aligned as wholes,
  * with a warning and half the confidence (at most 0.1 where nothing is matched).
  *
@@ -42,9 +49,10 @@
  * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays
  *   - SegmentId (int): the segment; replaces an array of that name, and is the only active scalars;
  *   - SegmentConfidence (double in [0,1]): the product of the correspondence's confidence, of how
- *     far the face lies on matched branches (1; 0.55 on branches without a partner) and of the share
- *     that the guided map gives the face's segment, which is small near boundaries and where the map
- *     and the transferred boundaries disagree;
+ *     far the face lies on matched branches (1; 0.75 on parts that are matched on neither side but were
+ *     found in the same place; 0.55 on other branches without a partner) and of the share that the
+ *     guided map gives the face's segment, which is small near boundaries and where the map and the
+ *     transferred boundaries disagree;
  * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is
  *   repeated at the end of the cell) with the cell arrays BoundaryId (vtkIdType), FirstSegmentId and
  *   SecondSegmentId (int; the segments on the left and on the right of the line as seen from
