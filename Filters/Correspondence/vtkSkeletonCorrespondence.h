@@ -60,7 +60,7 @@
  * | array read | on | type | meaning |
  * | --- | --- | --- | --- |
  * | AGD, MSP, Radius | points | one component | as vtkMSPSkeleton gives them |
- * | MeshDiagonal | field | one value | if absent, the skeleton's own stands in |
+ * | MeshDiagonal, MeshMaximumMSP | field | one value | if absent, the skeleton's own stand in |
  *
  * Output ports 0 and 1: source and target, all of their arrays kept, and the following.
  *

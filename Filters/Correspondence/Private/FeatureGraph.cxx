@@ -63,7 +63,6 @@ FeatureGraph::FeatureGraph(const Skeleton& skeleton, int pieces)
       };
       return key(a) < key(b);
     });
-  this->FindBodyMSP();
   this->AddFeatures();
   this->FindComponents();
   this->FindForest();
@@ -196,28 +195,6 @@ void FeatureGraph::FindForest()
   }
 }
 
-void FeatureGraph::FindBodyMSP()
-{
-  // MSP times length is surface, so this is the mean over the surface; the factor makes it what is
-  // usual for the thickest part.
-  constexpr double bodyOverMean = 1.4;
-  double surface = 0.0;
-  double weighted = 0.0;
-  for (const OrientedBranch& branch : this->Branches)
-  {
-    const Branch& path = branch.Path;
-    for (std::size_t i = 1; i < path.Nodes.size(); ++i)
-    {
-      const double msp =
-        0.5 * (this->Bones.Graph[path.Nodes[i - 1]].MSP + this->Bones.Graph[path.Nodes[i]].MSP);
-      const double piece = std::max(msp, 0.0) * (path.ArcLength[i] - path.ArcLength[i - 1]);
-      surface += piece;
-      weighted += piece * msp;
-    }
-  }
-  this->BodyMSP = surface > 0.0 ? bodyOverMean * weighted / surface : 0.0;
-}
-
 double FeatureGraph::Value(int node, Measure measure) const
 {
   const SkeletonNode& n = this->Bones.Graph[node];
@@ -228,7 +205,8 @@ double FeatureGraph::Value(int node, Measure measure) const
     case Measure::Radius:
       return this->Diagonal > 0.0 ? n.Radius / this->Diagonal : 0.0;
     default:
-      return this->BodyMSP > 0.0 ? std::max(n.MSP, 0.0) / this->BodyMSP : 0.0;
+      return this->Bones.MeshMaximumMSP > 0.0 ? std::max(n.MSP, 0.0) / this->Bones.MeshMaximumMSP
+                                              : 0.0;
   }
 }
 

@@ -31,7 +31,7 @@ public:
   /// One measure of the nodes, for Profile().
   enum class Measure
   {
-    MSP, ///< divided by that of the body, see BodyMSP
+    MSP, ///< divided by the mesh's largest
     AGD,
     Radius ///< divided by the mesh's diagonal
   };
@@ -41,7 +41,7 @@ public:
     int Node = -1;      ///< of the skeleton
     int Component = -1; ///< in decreasing order of length
     double AGD = 0.0;
-    double MSP = 0.0; ///< divided by that of the body, see BodyMSP
+    double MSP = 0.0; ///< divided by the mesh's largest
     Eigen::Vector3d Position = Eigen::Vector3d::Zero();
     double Radius = 0.0;
     std::vector<int> Darts; ///< that leave it; both darts of a loop
@@ -106,7 +106,6 @@ private:
   void AddFeatures();
   void FindComponents();
   void FindForest();
-  void FindBodyMSP();
   double Value(int node, Measure measure) const;
   static Branch Reversed(const Branch& branch);
   /// The nodes of a path and their arc length, in mesh units.
@@ -123,10 +122,6 @@ private:
   std::vector<std::vector<double>> Descriptors;
   double Total = 0.0;
   double Diagonal = 0.0;
-  /// What MSP is measured by: 1.4 times its mean over the surface. The largest MSP, which the paper
-  /// takes, belongs to a single place of the mesh, and may be twice as large on a hand whose slices
-  /// there take in the thumb.
-  double BodyMSP = 0.0;
 };
 
 /// Root of the mean squared difference of two profiles of one length.
