@@ -133,6 +133,18 @@ Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
   return matched;
 }
 
+Transferred Transfer(const Prepared& source, const Prepared& target, const TransferSettings& set)
+{
+  vtkNew<vtkSegmentationTransfer> transfer;
+  transfer->SetInputData(0, source.Mesh);
+  transfer->SetInputData(1, target.Mesh);
+  transfer->SetInputData(2, source.Skeleton);
+  transfer->SetInputData(3, target.Skeleton);
+  set(transfer);
+  transfer->Update();
+  return { Output(transfer, 0), Output(transfer, 1), Output(transfer, 2) };
+}
+
 const Matched& Quadrupeds()
 {
   static const Matched matched = MatchCreatures(

@@ -18,6 +18,7 @@
 
 /// The documentation's pictures. Each is a function that draws it; a list of them by the names of the
 /// files, one for each stage.
+class vtkSegmentationTransfer;
 class vtkSkeletonCorrespondence;
 
 namespace figures
@@ -73,6 +74,18 @@ Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target);
 
 /// Source and target of most pictures: a quadruped, and one that is bent and of other proportions.
 const Matched& Quadrupeds();
+
+/// What vtkSegmentationTransfer makes of two such.
+struct Transferred
+{
+  Data Target;
+  Data SourceBoundaries;
+  Data TargetBoundaries;
+};
+using TransferSettings = std::function<void(vtkSegmentationTransfer*)>;
+Transferred Transfer(
+  const Prepared& source, const Prepared& target,
+  const TransferSettings& set = [](vtkSegmentationTransfer*) {});
 
 // Drawing
 

@@ -16,12 +16,6 @@ Picture DrawHandles(const std::string& meshes)
 {
   const Matched pair =
     MatchCreatures(Creature(vtkCreatureSource::QUADRUPED, 1), ReadMesh(meshes, "elephant"));
-  vtkNew<vtkSegmentationTransfer> transfer;
-  transfer->SetInputData(0, pair.Source.Mesh);
-  transfer->SetInputData(1, pair.Target.Mesh);
-  transfer->SetInputData(2, pair.Source.Skeleton);
-  transfer->SetInputData(3, pair.Target.Skeleton);
-  transfer->Update();
   const auto skeletons = Scene(330, 240);
   skeletons->SetSurfaceOpacity(0.2);
   skeletons->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
@@ -31,7 +25,7 @@ Picture DrawHandles(const std::string& meshes)
   const auto segments = Scene(330, 240);
   segments->AlignOff();
   segments->AddMesh(pair.Source.Mesh, nullptr, "source");
-  segments->AddMesh(Output(transfer), nullptr, "segments");
+  segments->AddMesh(Transfer(pair.Source, pair.Target).Target, nullptr, "segments");
   return Below({ Drawn(skeletons), Drawn(segments) });
 }
 

@@ -4,9 +4,7 @@
 #include "ImplicitCreature.h"
 #include "MeshRelaxation.h"
 #include "SurfaceNets.h"
-
-#include <vtkCellArray.h>
-#include <vtkSegmentationTransfer.h>
+#include "TestMeshes.h"
 
 namespace figures
 {
@@ -38,21 +36,7 @@ Data HandsOnThighs()
       low - margin, high + margin, spacing);
   marrow::RelaxMesh(
     contour, [&](const Eigen::Vector3d& point) { return surface.Project(point); }, 6);
-
-  vtkNew<vtkPoints> points;
-  for (const Eigen::Vector3d& point : contour.Points)
-  {
-    points->InsertNextPoint(point.data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& triangle : contour.Triangles)
-  {
-    triangles->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
-  }
-  const auto mesh = Data::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(triangles);
-  return mesh;
+  return marrow::test::ToPolyData(contour);
 }
 
 /// Arms matched that end in the thighs, and what the transfer makes of them.
@@ -60,17 +44,11 @@ Picture DrawHandsOnThighs(const std::string&)
 {
   const Prepared source = Prepare(Creature(vtkCreatureSource::BIPED, 1));
   const Prepared target = Prepare(HandsOnThighs());
-  vtkNew<vtkSegmentationTransfer> transfer;
-  transfer->SetInputData(0, source.Mesh);
-  transfer->SetInputData(1, target.Mesh);
-  transfer->SetInputData(2, source.Skeleton);
-  transfer->SetInputData(3, target.Skeleton);
-  transfer->Update();
   const auto segments = Scene(190, 300);
   segments->AlignOff();
   segments->SetViewDirection(1.0, 0.0, 0.0);
   segments->AddMesh(source.Mesh, nullptr, "source");
-  segments->AddMesh(Output(transfer), nullptr, "target");
+  segments->AddMesh(Transfer(source, target).Target, nullptr, "target");
   return Beside({ DrawMatch(source, target, 190, 300, "skeletons"), Drawn(segments) });
 }
 }

@@ -8,27 +8,6 @@ namespace figures
 {
 namespace
 {
-struct Transferred
-{
-  Data Target;
-  Data SourceBoundaries;
-  Data TargetBoundaries;
-};
-
-Transferred Transfer(
-  const Matched& pair,
-  const std::function<void(vtkSegmentationTransfer*)>& set = [](vtkSegmentationTransfer*) {})
-{
-  vtkNew<vtkSegmentationTransfer> transfer;
-  transfer->SetInputData(0, pair.Source.Mesh);
-  transfer->SetInputData(1, pair.Target.Mesh);
-  transfer->SetInputData(2, pair.Source.Skeleton);
-  transfer->SetInputData(3, pair.Target.Skeleton);
-  set(transfer);
-  transfer->Update();
-  return { Output(transfer, 0), Output(transfer, 1), Output(transfer, 2) };
-}
-
 void AddBoundaries(vtkSideBySideScene* scene, int tile, vtkPolyData* boundaries)
 {
   scene->AddCurves(tile, boundaries, Black[0], Black[1], Black[2], 0.003);
@@ -37,7 +16,7 @@ void AddBoundaries(vtkSideBySideScene* scene, int tile, vtkPolyData* boundaries)
 Picture DrawTransfer(const std::string&)
 {
   const Matched& pair = Quadrupeds();
-  const Transferred result = Transfer(pair);
+  const Transferred result = Transfer(pair.Source, pair.Target);
   const auto scene = Scene(390, 310);
   AddBoundaries(
     scene, scene->AddMesh(pair.Source.Mesh, nullptr, "source"), result.SourceBoundaries);
@@ -47,7 +26,7 @@ Picture DrawTransfer(const std::string&)
 
 Picture DrawConfidence(const std::string&)
 {
-  const Transferred result = Transfer(Quadrupeds());
+  const Transferred result = Transfer(Quadrupeds().Source, Quadrupeds().Target);
   const auto scene = Scene(390, 310);
   scene->AddMesh(result.Target, nullptr, "segments");
   scene->SetSurfaceArray(scene->AddMesh(result.Target, nullptr, "how sure"), "SegmentConfidence");
@@ -81,8 +60,8 @@ Picture DrawStrictBoundaries(const std::string&)
   scene->AddMesh(pair.Source.Mesh, nullptr, "source");
   for (const bool strict : { false, true })
   {
-    const Transferred result =
-      Transfer(pair, [&](vtkSegmentationTransfer* t) { t->SetStrictBoundaries(strict); });
+    const Transferred result = Transfer(pair.Source, pair.Target,
+      [&](vtkSegmentationTransfer* t) { t->SetStrictBoundaries(strict); });
     scene->AddMesh(result.Target, nullptr, strict ? "StrictBoundaries on" : "StrictBoundaries off");
   }
   return Drawn(scene);
