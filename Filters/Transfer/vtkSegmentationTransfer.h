@@ -26,9 +26,9 @@
  * ones. No boundary is placed on such a part by itself; the map alone brings its segments.
  *
  * Any other segment that lies on branches without a partner is not guessed: its faces join the
- * neighbour and a warning names it. If the skeletons have no matched branch at all, or bring the surfaces together
- * no better than their principal axes do (a bust, a machine part), the meshes are aligned as wholes,
- * with a warning and half the confidence (at most 0.1 where nothing is matched).
+ * neighbour and a warning names it. If the skeletons have no matched branch at all, or bring the
+ * surfaces together no better than their principal axes do (a bust, a machine part), the meshes are
+ * aligned as wholes, with a warning and half the confidence (at most 0.1 where nothing is matched).
  *
  * Ports in:
  * - 0, source mesh: triangles; the segments are the cell array "SegmentId" (any integers), or that

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeftoverPlaces.h"
 
-#include <Eigen/Geometry>
+#include "BestRotation.h"
+
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -90,17 +91,14 @@ std::optional<Eigen::Matrix<double, 3, 4>> FitSimilarity(const AnalyzedMesh& tar
       covariance += weight / total * (s - sourceMean) * (t - targetMean).transpose();
       targetSpread += weight / total * (t - targetMean).squaredNorm();
     });
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
-    covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d breadths = covariance.jacobiSvd().singularValues();
   constexpr double leastBreadth = 0.01;
-  if (!(svd.singularValues()[1] > leastBreadth * svd.singularValues()[0]))
+  if (!(breadths[1] > leastBreadth * breadths[0]))
   {
     return std::nullopt;
   }
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  const Eigen::Matrix3d rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  const double scale = svd.singularValues().dot(signs) / targetSpread;
+  const Eigen::Matrix3d rotation = BestRotation(covariance);
+  const double scale = rotation.cwiseProduct(covariance).sum() / targetSpread;
   Eigen::Matrix<double, 3, 4> result;
   result.leftCols<3>() = scale * rotation;
   result.col(3) = sourceMean - scale * rotation * targetMean;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkeletonMap.h"
 
+#include "BestRotation.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +14,6 @@ namespace marrow
 {
 namespace
 {
-/// The rotation that best carries t to s for a sum of s tᵀ; never a reflection.
-Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance)
-{
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
-    covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();
-  correction(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  return svd.matrixU() * correction * svd.matrixV().transpose();
-}
-
 Eigen::Matrix3d LeastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
