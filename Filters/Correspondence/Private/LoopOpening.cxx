@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace marrow
@@ -19,12 +20,10 @@ std::pair<int, int> EdgeKey(int a, int b)
 
 OpenedSkeleton::OpenedSkeleton(const Skeleton& given)
   : Opened(given)
+  , GivenNode(given.NumberOfNodes())
   , GivenBranches(given.NumberOfBranches())
 {
-  for (int node = 0; node < given.NumberOfNodes(); ++node)
-  {
-    this->GivenNode.push_back(node);
-  }
+  std::iota(this->GivenNode.begin(), this->GivenNode.end(), 0);
   for (int branch = 0; branch < given.NumberOfBranches(); ++branch)
   {
     this->Parts.push_back({ Part{ branch, false } });
@@ -45,10 +44,10 @@ std::vector<OpenedSkeleton::Part> OpenedSkeleton::PartsAlong(int branch, bool ag
   return parts;
 }
 
-bool OpenedSkeleton::IsOnLoop(int branch) const
+bool OpenedSkeleton::IsOnLoop(
+  int branch, const std::vector<std::vector<int>>& branchesOfNodes) const
 {
   // What is reached from the one end without the branch.
-  const std::vector<std::vector<int>> branchesOf = this->Opened.BranchesOfNodes();
   const Branch& removed = this->Opened.Branches[branch];
   std::vector<bool> seen(this->Opened.NumberOfNodes(), false);
   std::vector<int> open{ removed.Front() };
@@ -57,7 +56,7 @@ bool OpenedSkeleton::IsOnLoop(int branch) const
   {
     const int node = open.back();
     open.pop_back();
-    for (int next : branchesOf[node])
+    for (int next : branchesOfNodes[node])
     {
       for (int end : { this->Opened.Branches[next].Front(), this->Opened.Branches[next].Back() })
       {
@@ -94,10 +93,11 @@ std::vector<int> OpenedSkeleton::NodesToDrop(const BranchEnd& end) const
 
 std::vector<OpenedSkeleton::BranchEnd> OpenedSkeleton::OpenableEnds() const
 {
+  const std::vector<std::vector<int>> branchesOfNodes = this->Opened.BranchesOfNodes();
   std::vector<BranchEnd> result;
   for (int branch = 0; branch < this->Opened.NumberOfBranches(); ++branch)
   {
-    if (!this->IsOnLoop(branch))
+    if (!this->IsOnLoop(branch, branchesOfNodes))
     {
       continue;
     }

@@ -49,7 +49,7 @@ private:
   /// The nodes of the branch from this end on that go with it, the new tip last; empty if too little of
   /// the branch would be left.
   std::vector<int> NodesToDrop(const BranchEnd& end) const;
-  bool IsOnLoop(int branch) const;
+  bool IsOnLoop(int branch, const std::vector<std::vector<int>>& branchesOfNodes) const;
 };
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 namespace marrow
 {
@@ -83,7 +84,7 @@ bool VoteForLeaf(const FeatureGraph& source, const FeatureGraph& target,
 
 /// As MatchSkeletons, with the loops opened that are.
 bool MatchOpened(const OpenedSkeleton& source, const OpenedSkeleton& target,
-  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress = {})
+  const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress)
 {
   const FeatureGraph sourceGraph(source.Opened, parameters.DescriptorPieces);
   const FeatureGraph targetGraph(target.Opened, parameters.DescriptorPieces);
@@ -143,31 +144,32 @@ bool OpenLoops(int surplus, OpenedSkeleton source, OpenedSkeleton target,
   for (int step = 0; step < steps; ++step)
   {
     const OpenedSkeleton before = looped;
-    OpenedSkeleton best = before;
-    bool better = false;
-    const double bound = WorthOpening * result.Leaves.front().GlobalCost;
+    std::optional<OpenedSkeleton> best;
+    double bound = WorthOpening * result.Leaves.front().GlobalCost;
     const std::vector<OpenedSkeleton::BranchEnd> ends = before.OpenableEnds();
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
       looped = before.OpenedAt(ends[i]);
+      const auto done = [&](std::size_t tried)
+      { return (step + static_cast<double>(tried) / ends.size()) / steps; };
       SkeletonMatching candidate;
-      if (!MatchOpened(source, target, parameters, candidate) ||
-        !Report(progress, (step + static_cast<double>(i + 1) / ends.size()) / steps))
+      if (!MatchOpened(
+            source, target, parameters, candidate, SubProgress(progress, done(i), done(i + 1))))
       {
         return false;
       }
-      if (candidate.Leaves.front().GlobalCost < std::min(bound, result.Leaves.front().GlobalCost))
+      if (candidate.Leaves.front().GlobalCost < bound)
       {
-        better = true;
+        bound = candidate.Leaves.front().GlobalCost;
         best = looped;
         result = std::move(candidate);
       }
     }
-    if (!better)
+    if (!best)
     {
       break;
     }
-    looped = best;
+    looped = *best;
   }
   return true;
 }

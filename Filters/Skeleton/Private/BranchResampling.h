@@ -12,9 +12,9 @@ namespace marrow
 /// A skeleton with the same branches whose regular nodes stand `spacing` apart. Every vertex goes to
 /// the node nearest to its shrunk position, along the branch that it was collapsed to; so φ of a
 /// regular node is a ring, and each node stands in the middle of its ring: at the mean of the shrunk
-/// positions, weighted by `weight`. A removed limb (see PruneSpurs)
-/// stays in one piece: all of it goes to the node that most of it is nearest to. A piece of a φ that
-/// does not hang together with the rest goes to the node it borders on most.
+/// positions, weighted by `weight`. A removed limb (see PruneSpurs) stays in one piece: all of it goes
+/// to the node that most of it is nearest to. A piece of a φ that does not hang together with the rest
+/// goes to the node it borders on most.
 Skeleton ResampleBranches(const Skeleton& skeleton, const TriangleMesh& mesh,
   const std::vector<Eigen::Vector3d>& shrunk, const std::vector<double>& weight,
   const std::vector<int>& removedLimb, double spacing);
