@@ -4,6 +4,7 @@
 #include <vtkCreatureSource.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMarrowSegmentWriter.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
 #include <vtkPLYWriter.h>
@@ -12,7 +13,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSTLWriter.h>
-#include <vtkSegmentWriter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -235,7 +235,7 @@ TEST_F(MarrowCommand, TransferToOneTargetWritesAFile)
 {
   this->WriteOFF(Creature(1), "source.off");
   this->WriteOFF(Creature(2), "target.off");
-  this->Write<vtkSegmentWriter>(Creature(1), "source.seg");
+  this->Write<vtkMarrowSegmentWriter>(Creature(1), "source.seg");
   this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.seg");
   this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.vtp");
   const vtkSmartPointer<vtkPolyData> labelled = this->Read("out.vtp");

@@ -16,12 +16,12 @@ from ._mesh import Mesh, MeshLike, Segments, polydata_of, set_segments
 from ._messages import Error, collected_messages
 from ._run import polydata_output, run
 from ._skeleton import Skeleton
-from .vtk import vtkOFFReader, vtkSegmentReader, vtkSegmentWriter
+from .vtk import vtkMarrowMeshReader, vtkMarrowSegmentReader, vtkMarrowSegmentWriter
 
 Path = Union[str, "os.PathLike[str]"]
 
 _READERS: Dict[str, Callable[[], Any]] = {
-    ".off": vtkOFFReader,
+    ".off": vtkMarrowMeshReader,
     ".ply": vtkPLYReader,
     ".obj": vtkOBJReader,
     ".stl": vtkSTLReader,
@@ -31,7 +31,7 @@ _READERS: Dict[str, Callable[[], Any]] = {
 _WRITERS: Dict[str, Callable[[], Any]] = {
     ".vtp": vtkXMLPolyDataWriter,
     ".vtk": vtkPolyDataWriter,
-    ".seg": vtkSegmentWriter,
+    ".seg": vtkMarrowSegmentWriter,
 }
 
 
@@ -76,7 +76,7 @@ def write(
     array = set_segments(polydata, segments)
     with open(name, "ab"):
         pass  # Python's exception says better than VTK why a file cannot be written.
-    if writer.IsA("vtkSegmentWriter"):
+    if writer.IsA("vtkMarrowSegmentWriter"):
         writer.SetInputArrayToProcess(0, 0, 0, vtkPolyData.FIELD_ASSOCIATION_CELLS, array)
     if writer.IsA("vtkPolyDataWriter"):
         writer.SetFileTypeToBinary()
@@ -122,7 +122,7 @@ def _triangles(polydata: vtkPolyData, merge: bool) -> vtkPolyData:
 
 def _with_segments(polydata: vtkPolyData, name: str) -> Mesh:
     _require_readable(name)
-    reader = vtkSegmentReader()
+    reader = vtkMarrowSegmentReader()
     reader.SetInputData(polydata)
     reader.SetFileName(name)
     run(reader, name)
