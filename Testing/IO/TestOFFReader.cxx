@@ -1,60 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ErrorObserver.h"
-#include "TemporaryFile.h"
-#include "vtkMarrowMeshReader.h"
+#include "MeshReading.h"
 
-#include <vtkCellData.h>
-#include <vtkIdList.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
-#include <array>
-
-using marrow::test::ErrorObserver;
-using marrow::test::TemporaryFile;
+using marrow::test::Read;
+using marrow::test::Reading;
 
 namespace
 {
-struct Reading
-{
-  vtkSmartPointer<vtkPolyData> Mesh;
-  std::string Messages;
-
-  std::vector<vtkIdType> Cell(vtkIdType id) const
-  {
-    vtkNew<vtkIdList> ids;
-    this->Mesh->GetCellPoints(id, ids);
-    return { ids->begin(), ids->end() };
-  }
-  std::vector<double> Tuple(vtkDataSetAttributes* data, const char* name, vtkIdType id) const
-  {
-    vtkDataArray* array = data->GetArray(name);
-    return array ? std::vector<double>(
-                     array->GetTuple(id), array->GetTuple(id) + array->GetNumberOfComponents())
-                 : std::vector<double>();
-  }
-  std::vector<double> Point(const char* name, vtkIdType id) const
-  {
-    return this->Tuple(this->Mesh->GetPointData(), name, id);
-  }
-  std::vector<double> Face(const char* name, vtkIdType id) const
-  {
-    return this->Tuple(this->Mesh->GetCellData(), name, id);
-  }
-};
-
-Reading Read(const char* fileName)
-{
-  vtkNew<vtkMarrowMeshReader> reader;
-  const ErrorObserver errors(reader);
-  reader->SetFileName(fileName);
-  reader->Update();
-  return { reader->GetOutput(), errors.Text() };
-}
-
 Reading ReadText(const std::string& text)
 {
-  return Read(TemporaryFile(".off", text).Name());
+  return marrow::test::ReadText(".off", text);
 }
 
 const std::string Corners = "0 0 0\n1 0 0\n0 1 0\n";
@@ -140,65 +94,70 @@ TEST(OFFReader, HomogeneousAndTextureCoordinates)
   EXPECT_EQ(texture.Point("Normals", 0), (Values{ 0, 0, 1 }));
 }
 
-TEST(OFFReader, ColoursOfFacesFollowTheTriangles)
+TEST(OFFReader, ColoursOfFaces)
 {
   const Reading reading = ReadText("OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
                                    "3 0 1 2\n4 0 1 2 3 10 20 30\n3 0 2 3 0.0 1.0 0.0 1.0\n");
-  ASSERT_EQ(reading.Mesh->GetNumberOfCells(), 4);
+  ASSERT_EQ(reading.Mesh->GetNumberOfCells(), 3);
   EXPECT_EQ(reading.Face("Colors", 0), (Values{ 170, 170, 170, 255 })) << "it has none";
   EXPECT_EQ(reading.Face("Colors", 1), (Values{ 10, 20, 30, 255 }));
-  EXPECT_EQ(reading.Face("Colors", 2), (Values{ 10, 20, 30, 255 }));
-  EXPECT_EQ(reading.Face("Colors", 3), (Values{ 0, 255, 0, 255 }));
+  EXPECT_EQ(reading.Face("Colors", 2), (Values{ 0, 255, 0, 255 }));
 }
 
-TEST(OFFReader, PolygonsAreTriangulatedInPlace)
+TEST(OFFReader, EveryFaceStaysAPolygon)
 {
-  // A triangle, a pentagon with a notch at its last corner, a triangle.
-  const Reading reading = ReadText("OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 2 0\n"
-                                   "3 0 1 2\n5 0 1 2 3 4\n3 2 1 0\n");
+  const Reading reading = ReadText("OFF\n5 7 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 2 0\n"
+                                   "3 0 1 2\n5 0 1 2 3 4\n2 0 1\n1 3\n3 2 2 0\n3 0 1 2\n0\n");
   EXPECT_EQ(reading.Messages, "");
-  ASSERT_EQ(reading.Mesh->GetNumberOfCells(), 5);
-  const double original[] = { 0, 1, 1, 1, 2 };
-  double area = 0.0;
-  for (vtkIdType c = 0; c < 5; ++c)
+  ASSERT_EQ(reading.Mesh->GetNumberOfPolys(), 7);
+  EXPECT_EQ(reading.Cell(1), (Ids{ 0, 1, 2, 3, 4 }));
+  EXPECT_EQ(reading.Cell(2), (Ids{ 0, 1 }));
+  EXPECT_EQ(reading.Cell(3), (Ids{ 3 }));
+  EXPECT_EQ(reading.Cell(4), (Ids{ 2, 2, 0 }));
+  EXPECT_EQ(reading.Cell(5), reading.Cell(0)) << "a face twice";
+  EXPECT_EQ(reading.Cell(6), Ids());
+}
+
+TEST(OFFReader, BinaryFilesWithAllThatAHeaderCanPromise)
+{
+  using marrow::test::BigEndian;
+  const auto color = BigEndian(1.0F) + BigEndian(0.2F) + BigEndian(0.0F);
+  std::string file = "STCN4OFF BINARY\n" + BigEndian(3) + BigEndian(2) + BigEndian(0);
+  for (int i = 0; i < 3; ++i)
   {
-    EXPECT_EQ(reading.Face("OriginalCellId", c), (Values{ original[c] }));
-    const Ids ids = reading.Cell(c);
-    ASSERT_EQ(ids.size(), 3u);
-    std::array<std::array<double, 3>, 3> p;
-    for (int k = 0; k < 3; ++k)
+    for (const float value : { 2.0F * (i == 1), 2.0F * (i == 2), 0.0F, 2.0F, 0.0F, 0.0F, 1.0F })
     {
-      reading.Mesh->GetPoint(ids[k], p[k].data());
+      file += BigEndian(value);
     }
-    const double twice =
-      (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
-    if (original[c] == 1)
-    {
-      EXPECT_GT(twice, 0.0) << "a fan about corner 0 would cover the notch";
-      area += 0.5 * twice;
-    }
+    file += color + BigEndian(0.0F) + BigEndian(0.5F) + BigEndian(0.25F);
   }
-  EXPECT_DOUBLE_EQ(area, 16.0 - 2.0);
-}
-
-TEST(OFFReader, FacesWithoutAreaOfTheirOwnAreLeftOutWithAWarning)
-{
-  const Reading reading =
-    ReadText("OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1\n4 0 1 2 3\n3 0 1 2\n1 3\n");
-  EXPECT_NE(
-    reading.Messages.find(
-      "has 2 faces of fewer than three corners (the first is face 0), which were left out."),
-    std::string::npos);
-  ASSERT_EQ(reading.Mesh->GetNumberOfCells(), 3);
-  EXPECT_EQ(reading.Face("OriginalCellId", 0), (Values{ 1 }));
-  EXPECT_EQ(reading.Face("OriginalCellId", 2), (Values{ 2 }));
-}
-
-TEST(OFFReader, EmptySurfaceIsNoError)
-{
-  const Reading reading = ReadText("OFF\n0 0 0\n");
+  const std::string corners = BigEndian(0) + BigEndian(1) + BigEndian(2);
+  file += BigEndian(3) + corners + BigEndian(0);
+  file += BigEndian(3) + corners + BigEndian(3) + color;
+  const Reading reading = ReadText(file);
   EXPECT_EQ(reading.Messages, "");
-  EXPECT_EQ(reading.Mesh->GetNumberOfPoints(), 0);
+  ASSERT_EQ(reading.Mesh->GetNumberOfCells(), 2);
+  EXPECT_EQ(reading.Cell(1), (Ids{ 0, 1, 2 }));
+  EXPECT_EQ(reading.Mesh->GetPoint(1)[0], 1.0);
+  EXPECT_EQ(reading.Point("Normals", 2), (Values{ 0, 0, 1 }));
+  EXPECT_EQ(reading.Point("Colors", 2), (Values{ 255, 51, 0, 0 }));
+  EXPECT_EQ(reading.Point("TextureCoordinates", 2), (Values{ 0.5, 0.25 }));
+  EXPECT_EQ(reading.Face("Colors", 0), (Values{ 170, 170, 170, 255 }));
+  EXPECT_EQ(reading.Face("Colors", 1), (Values{ 255, 51, 0, 255 }));
+
+  for (std::size_t size = 0; size < file.size(); size += 7)
+  {
+    EXPECT_TRUE(ReadText(file.substr(0, size)).Has("is not a valid OFF file: it")) << size;
+  }
+  EXPECT_TRUE(
+    ReadText("OFF BINARY\n" + BigEndian(1) + BigEndian(1) + BigEndian(0) + BigEndian(0.0F) +
+      BigEndian(0.0F) + BigEndian(0.0F) + BigEndian(1) + BigEndian(7) + BigEndian(0))
+      .Has("byte 43 makes face 0 use vertex 7, but the 1 vertices are numbered from 0."));
+}
+
+TEST(OFFReader, EmptySurfaceIsAnError)
+{
+  EXPECT_TRUE(ReadText("OFF\n0 0 0\n").Has("holds no surface"));
 }
 
 TEST(OFFReader, SaysWhatIsWrongAndWhere)
@@ -219,16 +178,15 @@ TEST(OFFReader, SaysWhatIsWrongAndWhere)
       "line 2 should hold the numbers of vertices and faces but begins with "
       "\"three\"." },
     { "OFF\n-3 1 0\n", "line 2 should hold the numbers" },
-    { "OFF BINARY\n", "is a binary OFF file, which is not supported" },
     { "nOFF\n2\n", "is an n-dimensional OFF file, which is not supported" },
-    { "OFF\n3 1 0\n0 0 0\n1 0 0\n", "it promises 3 vertices but ends after 2." },
-    { "OFF\n2000000000 1 0\n0 0 0\n", "it promises 2000000000 vertices but ends after 1." },
+    { "OFF\n3 1 0\n0 0 0\n1 0 0\n", "it ends after 2 of 3 vertices." },
+    { "OFF\n2000000000 1 0\n0 0 0\n", "it ends after 1 of 2000000000 vertices." },
     { "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n",
       "line 4 has \"x\" where vertex 1 needs a number." },
     { "4OFF\n1 0 0\n1 2 3 0\n", "line 3 puts vertex 0 at infinity." },
-    { "OFF\n3 2 0\n" + Corners + "3 0 1 2\n", "it promises 2 faces but ends after 1." },
-    { "OFF\n3 1 0\n" + Corners + "3 0 1\n", "it promises 1 faces but ends after 0." },
-    { "OFF\n3 1 0\n" + Corners + "1999999999 0 1\n", "it promises 1 faces but ends after 0." },
+    { "OFF\n3 2 0\n" + Corners + "3 0 1 2\n", "it ends after 1 of 2 faces." },
+    { "OFF\n3 1 0\n" + Corners + "3 0 1\n", "it ends after 0 of 1 faces." },
+    { "OFF\n3 1 0\n" + Corners + "1999999999 0 1\n", "it ends after 0 of 1 faces." },
     { "OFF\n3 1 0\n" + Corners + "3 0 1 3\n",
       "line 6 makes face 0 use vertex 3, but the 3 vertices are numbered from 0." },
     { "OFF\n3 1 0\n" + Corners + "3 0 -1 2\n", "line 6 makes face 0 use vertex -1" },
