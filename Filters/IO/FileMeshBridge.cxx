@@ -61,6 +61,33 @@ void AddParts(
   SetIntArray(output->GetCellData(), idName, ids);
   SetStrings(output->GetFieldData(), nameOfNames, numbered.NameOfId);
 }
+
+/// A vtkPolyData breaks down over polygons of fewer than three corners: these repeat their last one.
+void FillCells(const FileMesh& mesh, vtkIdTypeArray* offsets, vtkIdTypeArray* corners)
+{
+  constexpr std::size_t LeastCorners = 3;
+  const std::size_t numberOfFaces = mesh.NumberOfFaces();
+  std::size_t total = 0;
+  for (std::size_t face = 0; face < numberOfFaces; ++face)
+  {
+    total += std::max(LeastCorners, mesh.FaceStarts[face + 1] - mesh.FaceStarts[face]);
+  }
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(numberOfFaces) + 1);
+  corners->SetNumberOfValues(static_cast<vtkIdType>(total));
+  vtkIdType* next = corners->GetPointer(0);
+  for (std::size_t face = 0; face < numberOfFaces; ++face)
+  {
+    offsets->SetValue(static_cast<vtkIdType>(face), next - corners->GetPointer(0));
+    const int* begin = mesh.Corners.data() + mesh.FaceStarts[face];
+    const std::size_t size = mesh.FaceStarts[face + 1] - mesh.FaceStarts[face];
+    next = std::copy(begin, begin + size, next);
+    for (std::size_t k = size; k < LeastCorners; ++k)
+    {
+      *next++ = size == 0 ? 0 : begin[size - 1];
+    }
+  }
+  offsets->SetValue(static_cast<vtkIdType>(numberOfFaces), next - corners->GetPointer(0));
+}
 }
 
 void ToPolyData(const FileMesh& mesh, vtkPolyData* output)
@@ -75,11 +102,8 @@ void ToPolyData(const FileMesh& mesh, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(mesh.FaceStarts.size()));
-  std::copy(mesh.FaceStarts.begin(), mesh.FaceStarts.end(), offsets->GetPointer(0));
   vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(mesh.Corners.size()));
-  std::copy(mesh.Corners.begin(), mesh.Corners.end(), corners->GetPointer(0));
+  FillCells(mesh, offsets, corners);
   vtkNew<vtkCellArray> faces;
   faces->SetData(offsets, corners);
   output->SetPoints(points);

@@ -8,7 +8,8 @@ class vtkPolyData;
 
 namespace marrow
 {
-/// Makes the mesh of a file a vtkPolyData: a polygon per face, the arrays under their names, and the
+/// Makes the mesh of a file a vtkPolyData: a polygon per face (those of
+/// fewer than three corners repeat the last), the arrays under their names, and the
 /// parts as the cell arrays and string arrays that vtkMarrowMeshReader names.
 void ToPolyData(const FileMesh& mesh, vtkPolyData* output);
 

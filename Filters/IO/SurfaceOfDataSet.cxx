@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceOfDataSet.h"
 
-#include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -14,10 +14,16 @@
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace marrow
 {
 namespace
 {
+/// Of a polygon in a vtkPolyData; those with fewer repeat their last one.
+constexpr vtkIdType LeastCorners = 3;
+
 /// The number of corners of a cell with two dimensions, which come first among its points; 0 for other
 /// cells.
 vtkIdType NumberOfCorners(int type, vtkIdType numberOfPoints)
@@ -66,12 +72,16 @@ bool HasVolume(vtkDataSet* data)
   return false;
 }
 
-/// A polydata's cells without area of their own may be polygons of one or two corners.
-bool IsPolygonOf(vtkDataSet* data, vtkIdType cell)
+bool IsUnusual(vtkCellArray* polygons)
 {
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && cell >= mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() &&
-    cell < mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() + mesh->GetNumberOfPolys();
+  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  {
+    if (polygons->GetCellSize(i) < LeastCorners)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 class SurfaceBuilder
@@ -85,30 +95,25 @@ public:
     surface->GetCellData()->CopyAllocate(data->GetCellData(), data->GetNumberOfCells());
   }
 
-  void AddCell(vtkIdType cell)
+  /// A cell of the data whose row of the arrays is `row`.
+  void AddCell(vtkIdType row, int type, vtkIdType numberOfPoints, const vtkIdType* ids)
   {
-    this->Data->GetCellPoints(cell, this->Points);
-    const int type = this->Data->GetCellType(cell);
-    const vtkIdType size = IsPolygonOf(this->Data, cell)
-      ? this->Points->GetNumberOfIds()
-      : NumberOfCorners(type, this->Points->GetNumberOfIds());
-    const vtkIdType* ids = this->Points->GetPointer(0);
+    const vtkIdType size = NumberOfCorners(type, numberOfPoints);
     if (type == VTK_TRIANGLE_STRIP)
     {
       for (vtkIdType k = 0; k + 2 < size; ++k)
       {
         const vtkIdType turned = k % 2;
-        this->AddPolygon(cell, { ids[k + turned], ids[k + 1 - turned], ids[k + 2] });
+        this->AddPolygon(row, { ids[k + turned], ids[k + 1 - turned], ids[k + 2] });
       }
     }
     else if (type == VTK_PIXEL)
     {
-      this->AddPolygon(cell, { ids[0], ids[1], ids[3], ids[2] });
+      this->AddPolygon(row, { ids[0], ids[1], ids[3], ids[2] });
     }
-    else if (size > 0)
+    else if (NumberOfCorners(type, LeastCorners) > 0)
     {
-      this->Polygons->InsertNextCell(size, ids);
-      this->CopyData(cell);
+      this->AddPolygon(row, std::vector<vtkIdType>(ids, ids + size));
     }
   }
 
@@ -119,47 +124,65 @@ public:
   }
 
 private:
-  void AddPolygon(vtkIdType cell, std::initializer_list<vtkIdType> ids)
+  void AddPolygon(vtkIdType row, std::vector<vtkIdType> ids)
   {
-    this->Polygons->InsertNextCell(ids);
-    this->CopyData(cell);
-  }
-  void CopyData(vtkIdType cell)
-  {
+    ids.resize(std::max<std::size_t>(ids.size(), LeastCorners), ids.empty() ? 0 : ids.back());
+    this->Polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     this->Surface->GetCellData()->CopyData(
-      this->Data->GetCellData(), cell, this->Polygons->GetNumberOfCells() - 1);
+      this->Data->GetCellData(), row, this->Polygons->GetNumberOfCells() - 1);
   }
 
   vtkDataSet* Data;
   vtkPolyData* Surface;
   vtkNew<vtkCellArray> Polygons;
-  vtkNew<vtkIdList> Points;
 };
 }
 
 void ToSurface(vtkDataSet* data, vtkPolyData* surface)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  if (mesh && mesh->GetNumberOfCells() == mesh->GetNumberOfPolys())
+  if (mesh && mesh->GetNumberOfCells() == mesh->GetNumberOfPolys() && !IsUnusual(mesh->GetPolys()))
   {
     surface->ShallowCopy(mesh);
     return;
   }
   auto* points = vtkPointSet::SafeDownCast(data);
   vtkNew<vtkDataSetSurfaceFilter> outside;
-  if (!points || HasVolume(data))
+  if (!points || (!mesh && HasVolume(data)))
   {
     outside->SetInputData(data);
     outside->Update();
-    data = points = outside->GetOutput();
+    data = points = mesh = outside->GetOutput();
   }
   surface->SetPoints(points->GetPoints());
   surface->GetPointData()->ShallowCopy(data->GetPointData());
   surface->GetFieldData()->ShallowCopy(data->GetFieldData());
   SurfaceBuilder builder(data, surface);
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  if (mesh)
   {
-    builder.AddCell(cell);
+    // Not cell by cell: a vtkPolyData breaks down over polygons of fewer than three corners.
+    vtkIdType row = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+    for (const auto& [cells, type] : { std::pair{ mesh->GetPolys(), VTK_POLYGON },
+           std::pair{ mesh->GetStrips(), VTK_TRIANGLE_STRIP } })
+    {
+      const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+      for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+      {
+        vtkIdType size = 0;
+        const vtkIdType* ids = nullptr;
+        cell->GetCurrentCell(size, ids);
+        builder.AddCell(row++, type, size, ids);
+      }
+    }
+  }
+  else
+  {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+    {
+      data->GetCellPoints(cell, ids);
+      builder.AddCell(cell, data->GetCellType(cell), ids->GetNumberOfIds(), ids->GetPointer(0));
+    }
   }
   builder.Finish();
 }

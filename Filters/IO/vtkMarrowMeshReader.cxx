@@ -100,7 +100,8 @@ int vtkMarrowMeshReader::RequestData(
   {
     error = std::string("There is not enough memory to read \"") + this->FileName + "\".";
   }
-  if (error.empty() && output->GetNumberOfPolys() == 0 && !marrow::IsAborted(this))
+  const bool isEmpty = output->GetNumberOfPolys() == 0 || output->GetNumberOfPoints() == 0;
+  if (error.empty() && isEmpty && !marrow::IsAborted(this))
   {
     error = std::string("\"") + this->FileName + "\" holds no surface: it has no faces.";
   }

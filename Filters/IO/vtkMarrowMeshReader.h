@@ -4,8 +4,8 @@
  * @brief   read a surface from a file, losing nothing
  *
  * Every face of the file becomes one polygon, in the file's order, so that a list of one label per face
- * fits whatever the format: polygons stay polygons, and faces of one or two corners, without area, or
- * there twice stay too. Coordinates are in double precision. The format follows from the name's ending:
+ * fits whatever the format: polygons stay polygons, and faces without area or there twice stay too; those of
+ * fewer than three corners repeat the last one up to three, as vtkPolyData needs. Coordinates are in double precision. The format follows from the name's ending:
  * - .off: text or binary, with any of the prefixes ST, C, N and 4;
  * - .ply: text, or binary of either byte order; properties of any type, further elements;
  * - .obj: polygons with any kind of corners and with indices from the end; materials need not be there;

@@ -35,7 +35,8 @@ std::string Write(vtkPolyData* mesh, const std::string& name)
   const ErrorObserver errors(writer);
   writer->SetInputData(mesh);
   writer->SetFileName(name.c_str());
-  EXPECT_EQ(writer->Write() == 1, errors.Text().empty());
+  const bool isWritten = writer->Write() == 1;
+  EXPECT_EQ(isWritten, errors.Text().empty());
   return errors.Text();
 }
 

@@ -46,8 +46,8 @@ TEST(OBJReader, AllKindsOfCornersMixed)
   }
   EXPECT_EQ(reading.Cell(4), (Ids{ 0, 1, 3 }));
   EXPECT_EQ(reading.Cell(5), (Ids{ 0, 0, 1 }));
-  EXPECT_EQ(reading.Cell(6), (Ids{ 2, 3 }));
-  EXPECT_EQ(reading.Cell(7), (Ids{ 1 }));
+  EXPECT_EQ(reading.Cell(6), (Ids{ 2, 3, 3 }));
+  EXPECT_EQ(reading.Cell(7), (Ids{ 1, 1, 1 }));
 }
 
 TEST(OBJReader, WhatPeoplesFilesHaveBeside)

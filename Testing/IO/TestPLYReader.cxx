@@ -79,7 +79,7 @@ TEST(PLYReader, BinaryOfBothByteOrdersAndAnyTypes)
     const Reading reading = ReadText(text);
     EXPECT_EQ(reading.Messages, "");
     ASSERT_EQ(reading.Mesh->GetNumberOfPolys(), 2);
-    EXPECT_EQ(reading.Cell(0), (Ids{ 0, 1 }));
+    EXPECT_EQ(reading.Cell(0), (Ids{ 0, 1, 1 }));
     EXPECT_EQ(reading.Cell(1), (Ids{ 1, 2, 0 }));
     EXPECT_EQ(reading.Mesh->GetPoint(1)[0], 0.1) << "a double, to the last bit";
     EXPECT_EQ(reading.Mesh->GetPoint(2)[2], 7.0);

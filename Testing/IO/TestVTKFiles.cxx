@@ -105,7 +105,7 @@ TEST(VTKFiles, PolygonsOfAnyNumberOfCornersButNoLines)
   EXPECT_EQ(reading.Messages, "");
   ASSERT_EQ(reading.Mesh->GetNumberOfCells(), 3);
   EXPECT_EQ(reading.Cell(0), (Ids{ 0, 1, 2, 3 }));
-  EXPECT_EQ(reading.Cell(2), (Ids{ 0, 1 }));
+  EXPECT_EQ(reading.Cell(2), (Ids{ 0, 1, 1 }));
   EXPECT_EQ(reading.Face("Label", 2), (Values{ 3 }));
 }
 

@@ -65,7 +65,6 @@ void RequireReadable(const std::string& path)
 /// A mesh of polygons, a face of the file each.
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, Console& console)
 {
-  RequireReadable(path);
   vtkNew<vtkMarrowMeshReader> reader;
   reader->SetFileName(path.c_str());
   console.Update(reader, path);
@@ -138,7 +137,6 @@ vtkSmartPointer<vtkPolyData> ReadSegmented(
   }
   else if (IsSegmentFile(segments.File))
   {
-    RequireReadable(segments.File);
     vtkNew<vtkMarrowSegmentReader> reader;
     reader->SetInputData(mesh);
     reader->SetFileName(segments.File.c_str());
