@@ -22,28 +22,6 @@ namespace marrow
 {
 namespace
 {
-void AddArrays(const std::vector<FileArray>& arrays, vtkDataSetAttributes* data)
-{
-  for (const FileArray& array : arrays)
-  {
-    const auto copy = vtk::TakeSmartPointer(std::visit(
-      [&array](const auto& values)
-      {
-        using Value = typename std::decay_t<decltype(values)>::value_type;
-        vtkDataArray* copied = vtkDataArray::CreateDataArray(vtkTypeTraits<Value>::VTKTypeID());
-        copied->SetNumberOfComponents(array.Components);
-        copied->SetNumberOfTuples(static_cast<vtkIdType>(array.NumberOfTuples()));
-        std::copy(values.begin(), values.end(), static_cast<Value*>(copied->GetVoidPointer(0)));
-        return copied;
-      },
-      array.Values));
-    copy->SetName(array.Name.c_str());
-    data->AddArray(copy);
-  }
-  data->SetActiveNormals(NormalsName);
-  data->SetActiveTCoords(TextureCoordinatesName);
-}
-
 void AddParts(
   const FileParts& parts, const char* idName, const char* nameOfNames, vtkPolyData* output)
 {
@@ -90,6 +68,26 @@ void FillCells(const FileMesh& mesh, vtkIdTypeArray* offsets, vtkIdTypeArray* co
 }
 }
 
+void AddArrays(const std::vector<FileArray>& arrays, vtkFieldData* data)
+{
+  for (const FileArray& array : arrays)
+  {
+    const auto copy = vtk::TakeSmartPointer(std::visit(
+      [&array](const auto& values)
+      {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        vtkDataArray* copied = vtkDataArray::CreateDataArray(vtkTypeTraits<Value>::VTKTypeID());
+        copied->SetNumberOfComponents(array.Components);
+        copied->SetNumberOfTuples(static_cast<vtkIdType>(array.NumberOfTuples()));
+        std::copy(values.begin(), values.end(), static_cast<Value*>(copied->GetVoidPointer(0)));
+        return copied;
+      },
+      array.Values));
+    copy->SetName(array.Name.c_str());
+    data->AddArray(copy);
+  }
+}
+
 void ToPolyData(const FileMesh& mesh, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> coordinates;
@@ -109,6 +107,8 @@ void ToPolyData(const FileMesh& mesh, vtkPolyData* output)
   output->SetPoints(points);
   output->SetPolys(faces);
   AddArrays(mesh.PointArrays, output->GetPointData());
+  output->GetPointData()->SetActiveNormals(NormalsName);
+  output->GetPointData()->SetActiveTCoords(TextureCoordinatesName);
   AddArrays(mesh.FaceArrays, output->GetCellData());
   AddParts(mesh.Groups, names::GroupId, names::GroupName, output);
   AddParts(mesh.Objects, names::ObjectId, names::ObjectName, output);

@@ -4,10 +4,14 @@
 
 #include "FileMesh.h"
 
+class vtkFieldData;
 class vtkPolyData;
 
 namespace marrow
 {
+/// Adds arrays under their names and in their types.
+void AddArrays(const std::vector<FileArray>& arrays, vtkFieldData* data);
+
 /// Makes the mesh of a file a vtkPolyData: a polygon per face (those of
 /// fewer than three corners repeat the last), the arrays under their names, and the
 /// parts as the cell arrays and string arrays that vtkMarrowMeshReader names.

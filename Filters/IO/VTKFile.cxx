@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTKFile.h"
 
-#include "FileMesh.h"
-#include "TextReader.h"
+#include "FileMeshBridge.h"
+#include "LegacyVTKFile.h"
+#include "StringArrays.h"
 #include "VTKMessages.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetReader.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLGenericDataObjectReader.h>
@@ -22,29 +25,151 @@ namespace marrow
 {
 namespace
 {
-/// VTK's readers allocate what a file promises, and go on when they got nothing.
-std::string CheckPromises(const std::string& content)
+/// The least number of points of a cell by its type; -1 for types that are not read.
+int LeastPoints(int type)
 {
-  TextReader text(content, TextReader::Style::Plain);
-  while (text.NextLine())
+  switch (type)
   {
-    const auto& words = text.Words();
-    static constexpr std::string_view keywords[] = { "POINTS", "POLYGONS", "LINES", "VERTICES",
-      "TRIANGLE_STRIPS", "CELLS", "CELL_TYPES", "CELL_DATA", "POINT_DATA" };
-    if (words.size() < 2 ||
-      std::find(std::begin(keywords), std::end(keywords), words[0]) == std::end(keywords))
+    case VTK_QUADRATIC_EDGE:
+    case VTK_QUADRATIC_POLYGON:
+      return 3;
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_QUADRATIC_LINEAR_QUAD:
+      return 6;
+    case VTK_BIQUADRATIC_TRIANGLE:
+      return 7;
+    case VTK_QUADRATIC_QUAD:
+      return 8;
+    case VTK_BIQUADRATIC_QUAD:
+      return 9;
+    case VTK_QUADRATIC_TETRA:
+      return 10;
+    case VTK_QUADRATIC_LINEAR_WEDGE:
+      return 12;
+    case VTK_QUADRATIC_PYRAMID:
+      return 13;
+    case VTK_QUADRATIC_WEDGE:
+      return 15;
+    case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+      return 18;
+    case VTK_QUADRATIC_HEXAHEDRON:
+      return 20;
+    case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
+      return 24;
+    case VTK_TRIQUADRATIC_HEXAHEDRON:
+      return 27;
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_BEZIER_TRIANGLE:
+    case VTK_TRIANGLE:
+      return 3;
+    case VTK_LAGRANGE_QUADRILATERAL:
+    case VTK_BEZIER_QUADRILATERAL:
+    case VTK_QUAD:
+    case VTK_PIXEL:
+    case VTK_TETRA:
+      return 4;
+    case VTK_PYRAMID:
+      return 5;
+    case VTK_WEDGE:
+      return 6;
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+      return 8;
+    case VTK_PENTAGONAL_PRISM:
+      return 10;
+    case VTK_HEXAGONAL_PRISM:
+      return 12;
+    case VTK_EMPTY_CELL:
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+    case VTK_TRIANGLE_STRIP:
+    case VTK_POLYGON:
+    case VTK_POLYHEDRON:
+      return 0;
+    default:
+      return -1;
+  }
+}
+
+/// VTK's filters read as many points as a cell of its type has.
+std::string CheckTypes(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    const int least = LeastPoints(type);
+    if (least < 0 || (type == VTK_POLYHEDRON && !grid->GetFaces()))
     {
-      continue;
+      return "cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
+        ", which cannot be read";
     }
-    std::int64_t count = 0;
-    if (ToNumber(words[1], count) &&
-      (count < 0 || count > static_cast<std::int64_t>(content.size())))
+    if (grid->GetCells()->GetCellSize(cell) < least)
     {
-      return "line " + std::to_string(text.LineNumber()) + " promises more " +
-        std::string(words[0]) + " than the file can hold";
+      return "cell " + std::to_string(cell) + " has too few points for its type " +
+        std::to_string(type);
     }
   }
   return {};
+}
+
+void Fill(const LegacyCells& from, vtkCellArray* to)
+{
+  std::vector<vtkIdType> ids;
+  to->AllocateExact(
+    static_cast<vtkIdType>(from.Size()), static_cast<vtkIdType>(from.Points.size()));
+  for (std::size_t cell = 0; cell < from.Size(); ++cell)
+  {
+    ids.assign(
+      from.Points.begin() + from.Starts[cell], from.Points.begin() + from.Starts[cell + 1]);
+    to->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+}
+
+vtkSmartPointer<vtkDataSet> ToDataSet(const LegacyVTKData& data)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(data.Points.size()));
+  for (std::size_t i = 0; i < data.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), data.Points[i].data());
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkSmartPointer<vtkPointSet> result;
+  if (data.IsGrid)
+  {
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    Fill(data.Cells, cells);
+    grid->SetCells(std::vector<int>(data.CellTypes).data(), cells);
+    result = grid;
+  }
+  else
+  {
+    auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkCellArray> vertices;
+    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkCellArray> strips;
+    Fill(data.Vertices, vertices);
+    Fill(data.Lines, lines);
+    Fill(data.Polygons, cells);
+    Fill(data.Strips, strips);
+    mesh->SetVerts(vertices);
+    mesh->SetLines(lines);
+    mesh->SetPolys(cells);
+    mesh->SetStrips(strips);
+    result = mesh;
+  }
+  result->SetPoints(points);
+  AddArrays(data.PointArrays, result->GetPointData());
+  AddArrays(data.CellArrays, result->GetCellData());
+  AddArrays(data.FieldArrays, result->GetFieldData());
+  for (const auto& [name, strings] : data.FieldStrings)
+  {
+    SetStrings(result->GetFieldData(), name.c_str(), strings);
+  }
+  return result;
 }
 
 std::string CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints)
@@ -109,6 +234,7 @@ std::string Check(vtkDataSet* data)
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     error = error.empty() ? CheckCells(grid->GetCells(), numberOfPoints) : error;
+    error = error.empty() ? CheckTypes(grid) : error;
   }
   return error.empty() ? CheckArrays(data->GetCellData(), data->GetNumberOfCells(), "cells")
                        : error;
@@ -120,33 +246,25 @@ std::string ReadVTKFile(
 {
   const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   const bool isXML = first != std::string::npos && content[first] == '<';
-  std::string error = isXML ? std::string() : CheckPromises(content);
-  if (error.empty())
+  std::string error;
+  if (isXML)
   {
     const VTKMessages messages;
-    if (isXML)
-    {
-      vtkNew<vtkXMLGenericDataObjectReader> reader;
-      reader->SetFileName(fileName.c_str());
-      reader->Update();
-      data = vtkDataSet::SafeDownCast(reader->GetOutput());
-    }
-    else
-    {
-      vtkNew<vtkDataSetReader> reader;
-      reader->ReadFromInputStringOn();
-      reader->SetInputString(content);
-      reader->ReadAllScalarsOn();
-      reader->ReadAllVectorsOn();
-      reader->ReadAllNormalsOn();
-      reader->ReadAllTensorsOn();
-      reader->ReadAllColorScalarsOn();
-      reader->ReadAllTCoordsOn();
-      reader->ReadAllFieldsOn();
-      reader->Update();
-      data = reader->GetOutput();
-    }
+    vtkNew<vtkXMLGenericDataObjectReader> reader;
+    reader->SetFileName(fileName.c_str());
+    reader->Update();
+    data = vtkDataSet::SafeDownCast(reader->GetOutput());
     error = messages.FirstError();
+  }
+  else
+  {
+    LegacyVTKData legacy;
+    error = ReadLegacyVTKFile(content, fileName, legacy);
+    if (!error.empty())
+    {
+      return error;
+    }
+    data = ToDataSet(legacy);
   }
   if (error.empty())
   {

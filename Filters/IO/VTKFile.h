@@ -10,8 +10,8 @@ class vtkDataSet;
 
 namespace marrow
 {
-/// Reads a file of VTK's own, XML or of the older kind, whatever data set it holds, by VTK's readers.
-/// What these would trip over is found before and after. `content` is that of the file. Returns one
+/// Reads a file of VTK's own, XML whatever data set it holds, by VTK's readers, or of the older kind.
+/// What VTK's filters would trip over is found. `content` is that of the file. Returns one
 /// sentence that says what is wrong, or an empty one.
 std::string ReadVTKFile(
   const std::string& content, const std::string& fileName, vtkSmartPointer<vtkDataSet>& data);

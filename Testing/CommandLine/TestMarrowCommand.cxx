@@ -299,7 +299,7 @@ TEST_F(MarrowCommand, TransferTakesTheLabelsOfAnotherFile)
     "transfer source.off target.off --segments labels.vtk --labels part -o two.seg");
   EXPECT_EQ(Content(this->Folder / "one.seg"), Content(this->Folder / "two.seg"));
   this->ExpectError("transfer labels.vtk target.off -o out.seg",
-    "labels.vtk: the mesh has no labels \"SegmentId\"; it has \"part\": choose");
+    "labels.vtk: the mesh has no labels \"SegmentId\"; it has \"part\", ");
   this->WriteText("large.ply",
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
     "z\n"
@@ -432,7 +432,7 @@ TEST_F(MarrowCommand, ErrorsOfArgumentsAndFilesAreOneSentence)
   this->ExpectError("", "subcommand");
   this->ExpectError("measure mesh.off", "--output is required");
   this->ExpectError("measure absent.off -o out.vtp", "Cannot read \"absent.off\": No such file");
-  this->ExpectError("measure mesh.abc -o out.vtp", "must end in .off, .ply, .obj, .stl, .vtp or");
+  this->ExpectError("measure mesh.abc -o out.vtp", "must end in .off, .ply, .obj, .stl, .vtp, ");
   this->ExpectError("measure mesh.off -o out.ply", "out.ply: the name must end in .vtp or .vtk");
   this->ExpectError("measure mesh.off -o absent/out.vtp", "there is no folder absent");
   this->ExpectError("measure mesh.off -o out.vtp --threads 0", "--threads");

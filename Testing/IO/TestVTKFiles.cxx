@@ -113,17 +113,28 @@ TEST(VTKFiles, SaysWhatIsWrong)
 {
   const std::string polygons = Legacy + "DATASET POLYDATA\n" + Square;
   const std::pair<std::string, std::string> cases[] = {
-    { "", "is not a valid VTK file" },
-    { "hello\n", "is not a valid VTK file" },
+    { "", "it does not begin with \"# vtk DataFile\"." },
+    { "hello\n", "it does not begin with" },
+    { "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n",
+      "line 4 has \"STRUCTURED_POINTS\"" },
     { polygons + "LINES 1 3\n2 0 1\n", "holds no surface" },
-    { polygons + "POLYGONS 1 4\n3 0 1 7\n", "a cell uses point 7, but the 4 points" },
-    { polygons + "POLYGONS 1 4\n3 0 1\n", "is not a valid VTK file" },
+    { polygons + "POLYGONS 1 4\n3 0 1 7\n",
+      "cell 0 of its POLYGONS uses point 7, but the 4 points are numbered from 0." },
+    { polygons + "POLYGONS 1 4\n3 0 1\n", "it ends within its cells." },
+    { polygons + "POLYGONS 1 4\n4 0 1 2\n", "cell 0 has more points than are there." },
+    { polygons + "POLYGONS 1 4\n3 0 x 2\n", "line 8 has no number where its cells need one." },
     { polygons + "POLYGONS 2000000000 4\n3 0 1 2\n",
-      "line 7 promises more POLYGONS than the file can hold" },
+      "line 8 follows what cannot be understood: \"POLYGONS\"" },
     { Legacy + "DATASET POLYDATA\nPOINTS 2000000000 float\n0 0 0\n",
-      "line 5 promises more POINTS than the file can hold" },
+      "line 6 follows what cannot be" },
     { polygons + "POLYGONS 1 4\n3 0 1 2\nCELL_DATA 2\nSCALARS a int 1\nLOOKUP_TABLE default\n1 2\n",
-      "is not a valid VTK file" },
+      "the array \"a\" has 2 values for 1 cells." },
+    { Legacy + "DATASET UNSTRUCTURED_GRID\n" + Square + "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n10\n",
+      "cell 0 has too few points for its type 10." },
+    { Legacy + "DATASET UNSTRUCTURED_GRID\n" + Square + "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n99\n",
+      "cell 0 is of type 99, which cannot be read." },
+    { Legacy + "DATASET UNSTRUCTURED_GRID\n" + Square + "CELLS 1 3\n2 0 1\n",
+      "it has 1 cells but types of 0." },
   };
   for (const auto& [text, message] : cases)
   {

@@ -85,9 +85,9 @@ public:
     {
       const std::string what = this->Numbers.EndError();
       error = what.empty() ? what : this->Error(what);
+      JoinColumns(this->Result.PointArrays);
+      JoinColumns(this->Result.FaceArrays);
     }
-    JoinColumns(this->Result.PointArrays);
-    JoinColumns(this->Result.FaceArrays);
     return error;
   }
 

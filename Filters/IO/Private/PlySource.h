@@ -3,45 +3,16 @@
 #define marrow_PlySource_h
 
 #include "ByteReader.h"
+#include "NumberConversion.h"
 #include "PlyHeader.h"
 #include "TextReader.h"
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <type_traits>
 
 namespace marrow
 {
-/// The number as another type; false if that cannot hold it.
-template <typename To, typename From>
-bool ConvertNumber(From from, To& to)
-{
-  if constexpr (std::is_floating_point_v<To> || std::is_same_v<To, From>)
-  {
-    to = static_cast<To>(from);
-    return true;
-  }
-  else if constexpr (std::is_floating_point_v<From>)
-  {
-    // Beyond 2^53 not every integer is there, but then neither in the file.
-    if (!(from >= static_cast<From>(std::numeric_limits<To>::min()) &&
-          from < std::ldexp(From(1), std::numeric_limits<To>::digits)) ||
-      from != std::floor(from))
-    {
-      return false;
-    }
-    to = static_cast<To>(from);
-    return true;
-  }
-  else
-  {
-    to = static_cast<To>(from);
-    return static_cast<From>(to) == from && (to < To(0)) == (from < From(0));
-  }
-}
-
 enum class PlyOutcome
 {
   Good,
