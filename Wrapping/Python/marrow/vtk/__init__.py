@@ -18,7 +18,8 @@ _MODULES = (
     "MarrowCorrespondence",
     "MarrowMeasures",
     "MarrowEvaluation",
-    "MarrowSources",
+    "MarrowIO",
+    "MarrowCreatures",
     "MarrowRendering",
     "MarrowSkeletonCGAL",
 )
