@@ -56,21 +56,32 @@ public:
     assembly.VertexOfFull.assign(full.Points.size(), -1);
   }
 
-  void TakeTriangle(int t)
+  /// Some triangles as they are, with their vertices, all in the order that they have.
+  void Take(const std::vector<int>& triangles)
   {
     TriangleMesh& mesh = this->Assembly.Mesh;
-    this->Assembly.TriangleOfFull[t] = mesh.NumberOfTriangles();
-    mesh.Triangles.push_back(this->Full.Triangles[t]);
-    for (int& corner : mesh.Triangles.back())
+    std::vector<int>& newVertex = this->Assembly.VertexOfFull;
+    for (int t : triangles)
     {
-      int& vertex = this->Assembly.VertexOfFull[corner];
-      if (vertex < 0)
+      for (int corner : this->Full.Triangles[t])
       {
-        vertex = mesh.NumberOfVertices();
-        mesh.Points.push_back(this->Full.Points[corner]);
-        this->Assembly.FullOfVertex.push_back(corner);
+        newVertex[corner] = 0;
       }
-      corner = vertex;
+    }
+    for (int v = 0; v < this->Full.NumberOfVertices(); ++v)
+    {
+      if (newVertex[v] == 0)
+      {
+        newVertex[v] = mesh.NumberOfVertices();
+        mesh.Points.push_back(this->Full.Points[v]);
+        this->Assembly.FullOfVertex.push_back(v);
+      }
+    }
+    for (int t : triangles)
+    {
+      this->Assembly.TriangleOfFull[t] = mesh.NumberOfTriangles();
+      const auto& c = this->Full.Triangles[t];
+      mesh.Triangles.push_back({ newVertex[c[0]], newVertex[c[1]], newVertex[c[2]] });
     }
   }
 
@@ -140,7 +151,7 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   const double spacing = std::sqrt(1.5 * area / maximumFaces);
   const double leastShare = std::min(1.0, LeastBodyFaces / maximumFaces);
   PartRelations relations;
-  if (!RelateParts(full, leastShare, 0.5 * spacing, SubProgress(progress, 0.0, 0.5), relations))
+  if (!RelateParts(full, leastShare, spacing, SubProgress(progress, 0.0, 0.5), relations))
   {
     return false;
   }
@@ -182,6 +193,7 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   }
 
   Assembler assembler(full, assembly);
+  std::vector<int> taken;
   std::map<int, std::vector<int>> wrapped; // triangles, per group
   for (int t = 0; t < full.NumberOfTriangles(); ++t)
   {
@@ -192,12 +204,14 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
     }
     else if (!relations.IsLeftOut[part])
     {
-      assembler.TakeTriangle(t);
+      taken.push_back(t);
     }
   }
+  assembler.Take(taken);
   for (const auto& [group, triangles] : wrapped)
   {
-    assembler.TakeWrap(WrapVolume(full, triangles, spacing), triangles, leastShare * area);
+    assembler.TakeWrap(
+      WrapVolume(full, triangles, spacing, maximumFaces), triangles, leastShare * area);
     if (!Report(progress, 0.75))
     {
       return false;

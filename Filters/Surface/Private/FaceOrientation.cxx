@@ -235,12 +235,12 @@ OrientationChanges OrientTriangles(TriangleMesh& mesh)
   for (int t = 0; t < numberOfTriangles; ++t)
   {
     turned[t] ^= sides[root[t]].IsInsideOut(largestCoordinate) ? 1 : 0;
-    changes.TurnedTriangles += turned[t];
   }
-  if (changes.TurnedTriangles > 0)
+  if (std::find(turned.begin(), turned.end(), 1) != turned.end())
   {
     Turn(mesh, turned);
   }
+  changes.IsTurned = std::move(turned);
   return changes;
 }
 }

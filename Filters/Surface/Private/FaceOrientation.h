@@ -4,11 +4,13 @@
 
 #include "TriangleMesh.h"
 
+#include <vector>
+
 namespace marrow
 {
 struct OrientationChanges
 {
-  int TurnedTriangles = 0;
+  std::vector<char> IsTurned; ///< per triangle
   int CutEdges = 0;
 };
 

@@ -42,12 +42,18 @@ std::vector<Loop> BorderLoops(const TriangleMesh& mesh)
   return loops;
 }
 
+/// Over the middles of the edges: a border along triangles zigzags, and is no longer for that.
 double Perimeter(const TriangleMesh& mesh, const Loop& loop)
 {
+  auto middle = [&](int h) -> Eigen::Vector3d
+  { return 0.5 * (mesh.Points[mesh.From(h)] + mesh.Points[mesh.To(h)]); };
   double perimeter = 0.0;
+  Eigen::Vector3d last = middle(loop.back());
   for (int h : loop)
   {
-    perimeter += (mesh.Points[mesh.To(h)] - mesh.Points[mesh.From(h)]).norm();
+    const Eigen::Vector3d next = middle(h);
+    perimeter += (next - last).norm();
+    last = next;
   }
   return perimeter;
 }

@@ -5,6 +5,7 @@
 #include "TriangleTree.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -29,6 +30,17 @@ struct Part
   }
 };
 
+/// Twice what neighbouring single precision numbers differ by at the largest coordinate.
+double SingleRounding(const TriangleMesh& mesh)
+{
+  double largest = 0.0;
+  for (const auto& point : mesh.Points)
+  {
+    largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  }
+  return 2.0 * std::numeric_limits<float>::epsilon() * largest;
+}
+
 enum class Relation
 {
   Apart,
@@ -39,9 +51,10 @@ enum class Relation
 class Relating
 {
 public:
-  Relating(const TriangleMesh& mesh, double nearness)
+  Relating(const TriangleMesh& mesh, double resolution)
     : Mesh(mesh)
-    , Nearness(nearness)
+    , Resolution(resolution)
+    , Nearness(SingleRounding(mesh))
   {
     int count = 0;
     std::vector<int> component = TriangleComponents(mesh, count);
@@ -91,6 +104,8 @@ public:
 
   std::vector<Part> Parts;
   std::vector<int> PartOfTriangle;
+
+  double GetNearness() const { return this->Nearness; }
 
   /// Of the smaller to the larger one.
   Relation RelationTo(Part& large, Part& small)
@@ -170,18 +185,20 @@ private:
     }
     contact.Low = contact.Low.cwiseMin(point);
     contact.High = contact.High.cwiseMax(point);
-    return (contact.High - contact.Low).norm() > 4.0 * this->Nearness;
+    return (contact.High - contact.Low).norm() > this->Resolution;
   }
 
   const TriangleMesh& Mesh;
+  double Resolution;
   double Nearness;
 };
 }
 
-bool RelateParts(const TriangleMesh& mesh, double leastShare, double nearness,
+bool RelateParts(const TriangleMesh& mesh, double leastShare, double resolution,
   const Progress& progress, PartRelations& relations)
 {
-  Relating relating(mesh, nearness);
+  Relating relating(mesh, resolution);
+  const double nearness = relating.GetNearness();
   std::vector<Part>& parts = relating.Parts;
   const int count = static_cast<int>(parts.size());
   relations.NumberOfParts = count;
@@ -207,7 +224,7 @@ bool RelateParts(const TriangleMesh& mesh, double leastShare, double nearness,
       ++bodies;
     }
   }
-  relations.IsShreds = crumbArea > 0.5 * area || borderLength * 2.0 * nearness > 0.25 * area;
+  relations.IsShreds = crumbArea > 0.5 * area || borderLength * resolution > 0.25 * area;
   if (relations.IsShreds)
   {
     return true;

@@ -50,6 +50,22 @@ void RemoveUnusedVertices(MendedMesh& mesh)
   }
 }
 
+/// The triangles of a cell follow one another.
+int CountTurnedFaces(const MendedMesh& mesh, const std::vector<char>& isTurned)
+{
+  int count = 0;
+  int last = -1;
+  for (std::size_t t = 0; t < isTurned.size(); ++t)
+  {
+    if (isTurned[t] && mesh.CellOfTriangle[t] != last)
+    {
+      last = mesh.CellOfTriangle[t];
+      ++count;
+    }
+  }
+  return count;
+}
+
 /// The cells that have no triangle, and not because another has it.
 int CountFacesWithoutArea(const PolygonMesh& input, const Mending& mending)
 {
@@ -80,7 +96,7 @@ void MendSurface(const PolygonMesh& input, Mending& mending, SurfaceReport& repo
   report.FacesTwice = RemoveTwinTriangles(mesh, mending.TwinOfCell);
   report.SplitEdges = PairSheets(mesh.Mesh);
   const OrientationChanges changes = OrientTriangles(mesh.Mesh);
-  report.TurnedFaces = changes.TurnedTriangles;
+  report.TurnedFaces = CountTurnedFaces(mesh, changes.IsTurned);
   report.CutEdges = changes.CutEdges;
   report.SplitPoints = SeparateFans(mesh);
   report.FilledHoles = FillHoles(mesh);

@@ -81,7 +81,8 @@ double CoveredShare(const TriangleMesh& mesh, const std::vector<int>& triangles,
 }
 }
 
-TriangleMesh WrapVolume(const TriangleMesh& mesh, const std::vector<int>& triangles, double spacing)
+TriangleMesh WrapVolume(
+  const TriangleMesh& mesh, const std::vector<int>& triangles, double spacing, int mostCells)
 {
   Eigen::Vector3d low = mesh.Points[mesh.Triangles[triangles.front()][0]];
   Eigen::Vector3d high = low;
@@ -93,6 +94,7 @@ TriangleMesh WrapVolume(const TriangleMesh& mesh, const std::vector<int>& triang
       high = high.cwiseMax(mesh.Points[corner]);
     }
   }
+  spacing = std::max(spacing, (high - low).maxCoeff() / mostCells);
   // Room for the drawing at a distance, too.
   low -= Eigen::Vector3d::Constant(2.5 * spacing);
   high += Eigen::Vector3d::Constant(2.5 * spacing);
