@@ -177,6 +177,7 @@ TEST(RandomMeshes, AllBecomeSound)
     ASSERT_EQ(ToTriangleMesh(MakeCreature(shape, options).Mesh, mesh), "");
     bases.push_back(ToPolygons(mesh));
   }
+  int refused = 0;
   for (int seed = 0; seed < count; ++seed)
   {
     Random random(seed);
@@ -187,14 +188,24 @@ TEST(RandomMeshes, AllBecomeSound)
       Mutate(mesh, random, what);
     }
     SCOPED_TRACE(what);
-    const WorkingSurface surface = Compute(mesh, 500);
-    if (!surface.Mesh.Triangles.empty())
+    WorkingSurface surface;
+    WorkingSurfaceParameters parameters;
+    parameters.MaximumFaces = 500;
+    const std::string error = ComputeWorkingSurface(mesh, parameters, {}, surface);
+    if (error.empty())
     {
       ExpectSound(mesh, surface);
+    }
+    else
+    {
+      // A tiny mesh with something huge on it: next to that it has no area.
+      EXPECT_EQ(error, "None of the mesh's faces has an area: connect a surface.");
+      ++refused;
     }
     if (HasFailure())
     {
       return;
     }
   }
+  EXPECT_LE(refused, count / 100);
 }

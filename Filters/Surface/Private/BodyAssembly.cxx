@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace marrow
 {
@@ -136,6 +137,43 @@ private:
   const TriangleMesh& Full;
   BodyAssembly& Assembly;
 };
+/// What becomes of the triangles of a mesh.
+struct Plan
+{
+  std::vector<int> Taken;                  ///< as they are
+  std::map<int, std::vector<int>> Wrapped; ///< per body
+  std::map<int, int> NumberOfWrappedParts; ///< likewise
+};
+
+Plan PlanBodies(const PartRelations& relations)
+{
+  Plan plan;
+  auto bodyOf = [&](int part) { return relations.IsShreds ? 0 : relations.Group[part]; };
+  std::map<int, int> numberOfParts;
+  for (int part = 0; part < relations.NumberOfParts; ++part)
+  {
+    numberOfParts[bodyOf(part)] += relations.IsLeftOut[part] ? 0 : 1;
+  }
+  for (std::size_t t = 0; t < relations.PartOfTriangle.size(); ++t)
+  {
+    const int part = relations.PartOfTriangle[t];
+    if (relations.IsLeftOut[part])
+    {
+      continue;
+    }
+    const int body = bodyOf(part);
+    if (relations.IsShreds || numberOfParts[body] > 1)
+    {
+      plan.Wrapped[body].push_back(static_cast<int>(t));
+      plan.NumberOfWrappedParts[body] = numberOfParts[body];
+    }
+    else
+    {
+      plan.Taken.push_back(static_cast<int>(t));
+    }
+  }
+  return plan;
+}
 }
 
 bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& progress,
@@ -155,67 +193,38 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   {
     return false;
   }
-  std::map<int, std::vector<int>> groups; // the parts of each body
-  for (int part = 0; part < relations.NumberOfParts; ++part)
-  {
-    if (relations.IsShreds)
-    {
-      groups[0].push_back(part);
-    }
-    else if (!relations.IsLeftOut[part])
-    {
-      groups[relations.Group[part]].push_back(part);
-    }
-  }
   report.LeftOutParts =
     static_cast<int>(std::count(relations.IsLeftOut.begin(), relations.IsLeftOut.end(), 1));
-  std::vector<char> isWrapped(relations.NumberOfParts, 0);
-  for (const auto& [first, parts] : groups)
+  Plan plan = PlanBodies(relations);
+  std::vector<std::pair<TriangleMesh, const std::vector<int>*>> wraps;
+  for (const auto& [body, triangles] : plan.Wrapped)
   {
-    if (relations.IsShreds)
+    if (!Report(progress, 0.5 + 0.4 * wraps.size() / plan.Wrapped.size()))
     {
-      report.WrappedShreds = static_cast<int>(parts.size());
+      return false;
     }
-    else if (parts.size() > 1)
+    TriangleMesh wrap = WrapVolume(full, triangles, spacing, maximumFaces);
+    if (wrap.Triangles.empty())
     {
-      report.UnitedParts += static_cast<int>(parts.size());
+      // Too small for the grid beside what lies far away.
+      plan.Taken.insert(plan.Taken.end(), triangles.begin(), triangles.end());
+      continue;
     }
-    for (int part : parts)
-    {
-      isWrapped[part] = relations.IsShreds || parts.size() > 1;
-    }
+    wraps.emplace_back(std::move(wrap), &triangles);
+    (relations.IsShreds ? report.WrappedShreds : report.UnitedParts) +=
+      plan.NumberOfWrappedParts[body];
   }
-  assembly.IsWhole =
-    report.LeftOutParts == 0 && std::count(isWrapped.begin(), isWrapped.end(), 1) == 0;
+  assembly.IsWhole = report.LeftOutParts == 0 && wraps.empty();
   if (assembly.IsWhole)
   {
     return true;
   }
-
+  std::sort(plan.Taken.begin(), plan.Taken.end());
   Assembler assembler(full, assembly);
-  std::vector<int> taken;
-  std::map<int, std::vector<int>> wrapped; // triangles, per group
-  for (int t = 0; t < full.NumberOfTriangles(); ++t)
+  assembler.Take(plan.Taken);
+  for (const auto& [wrap, triangles] : wraps)
   {
-    const int part = relations.PartOfTriangle[t];
-    if (isWrapped[part])
-    {
-      wrapped[relations.IsShreds ? 0 : relations.Group[part]].push_back(t);
-    }
-    else if (!relations.IsLeftOut[part])
-    {
-      taken.push_back(t);
-    }
-  }
-  assembler.Take(taken);
-  for (const auto& [group, triangles] : wrapped)
-  {
-    assembler.TakeWrap(
-      WrapVolume(full, triangles, spacing, maximumFaces), triangles, leastShare * area);
-    if (!Report(progress, 0.75))
-    {
-      return false;
-    }
+    assembler.TakeWrap(wrap, *triangles, leastShare * area);
   }
   assembler.MapTheRest();
   return Report(progress, 1.0);

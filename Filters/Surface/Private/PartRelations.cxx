@@ -300,6 +300,8 @@ bool RelateParts(const TriangleMesh& mesh, double leastShare, double resolution,
       groupIsInside[relations.Group[small]] = 1;
     }
   }
+  // Open parts may lie inside one another: the largest stays.
+  groupIsInside[relations.Group[0]] = 0;
   for (int part = 0; part < bodies; ++part)
   {
     relations.IsLeftOut[part] |= groupIsInside[relations.Group[part]];
