@@ -2,6 +2,7 @@
 #include "SurfaceShapes.h"
 #include "VolumeWrap.h"
 
+#include <limits>
 #include <numeric>
 
 using namespace marrow;
@@ -70,6 +71,16 @@ TEST(SurfaceBodies, PartsThatOverlapBecomeOne)
       std::min(point.norm(), (point - Eigen::Vector3d(distance, 0.0, 0.0)).norm());
     EXPECT_NEAR(nearest, 1.0, 0.05);
   }
+}
+
+TEST(SurfaceBodies, WithoutABoundOnItsSizeTheWrapStillHasOne)
+{
+  PolygonMesh mesh = MakeCube();
+  Append(mesh, MakeCube({ 0.5, 0.25, 0.25 }));
+  const WorkingSurface surface = Compute(mesh, std::numeric_limits<int>::max());
+  ExpectSound(mesh, surface);
+  ExpectClosed(surface, 0);
+  EXPECT_LT(surface.Mesh.NumberOfTriangles(), 100000);
 }
 
 TEST(SurfaceBodies, PartsThatTouchAlongAFaceBecomeOne)

@@ -5,6 +5,7 @@
 #include "PartRelations.h"
 #include "TriangleTree.h"
 #include "VolumeWrap.h"
+#include "WorkingSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,10 @@ namespace
 /// The fewest triangles of the working surface with which a body has a skeleton: eight nodes, each of a
 /// ring of eight vertices, two triangles to a vertex.
 constexpr double LeastBodyFaces = 8 * 8 * 2;
+
+/// A working surface may be asked to stay as large as its mesh, without bound. What is drawn anew is no
+/// finer than the one of the default size, on which the method is at its best.
+const int MostFacesDrawn = WorkingSurfaceParameters().MaximumFaces;
 
 int NearestCorner(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& point)
 {
@@ -179,6 +184,7 @@ Plan PlanBodies(const PartRelations& relations)
 bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& progress,
   BodyAssembly& assembly, SurfaceReport& report)
 {
+  const int faces = std::min(maximumFaces, MostFacesDrawn);
   double area = 0.0;
   for (int t = 0; t < full.NumberOfTriangles(); ++t)
   {
@@ -186,8 +192,8 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   }
   // A net has two triangles for each square of its grid, and half as many again as the surface lies
   // aslant: twice as many as are wanted.
-  const double spacing = std::sqrt(1.5 * area / maximumFaces);
-  const double leastShare = std::min(1.0, LeastBodyFaces / maximumFaces);
+  const double spacing = std::sqrt(1.5 * area / faces);
+  const double leastShare = std::min(1.0, LeastBodyFaces / faces);
   PartRelations relations;
   if (!RelateParts(full, leastShare, spacing, SubProgress(progress, 0.0, 0.5), relations))
   {
@@ -203,7 +209,7 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
     {
       return false;
     }
-    TriangleMesh wrap = WrapVolume(full, triangles, spacing, maximumFaces);
+    TriangleMesh wrap = WrapVolume(full, triangles, spacing, faces);
     if (wrap.Triangles.empty())
     {
       // Too small for the grid beside what lies far away.
