@@ -59,7 +59,7 @@ public:
     auto length = [&](int h)
     { return (mesh.Points[mesh.To(h)] - mesh.Points[mesh.From(h)]).norm(); };
     int shortest = 3 * t;
-    int longest = 3 * t;
+    int longest = shortest;
     for (int h = 3 * t + 1; h < 3 * t + 3; ++h)
     {
       shortest = length(h) < length(shortest) ? h : shortest;
