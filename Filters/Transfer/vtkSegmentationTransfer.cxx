@@ -14,11 +14,13 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -81,6 +83,28 @@ void WriteBoundaries(
   marrow::SetIntArray(output->GetCellData(), "SecondSegmentId", second);
   marrow::SetArray(output->GetCellData(), "EnclosesBranch", strict);
 }
+
+/// What an inner filter complains of, as if the outer one did.
+struct ForwardMessages : vtkCommand
+{
+  static ForwardMessages* New() { return new ForwardMessages; }
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    if (this->Outer->HasObserver(event))
+    {
+      this->Outer->InvokeEvent(event, text);
+    }
+    else if (event == vtkCommand::ErrorEvent)
+    {
+      vtkOutputWindowDisplayErrorText(static_cast<const char*>(text));
+    }
+    else
+    {
+      vtkOutputWindowDisplayWarningText(static_cast<const char*>(text));
+    }
+  }
+  vtkObject* Outer = nullptr;
+};
 
 void WriteLabels(vtkPolyData* target, const std::vector<int>& labels,
   const std::vector<double>& confidence, vtkPolyData* output)
@@ -282,6 +306,10 @@ int vtkSegmentationTransfer::TransferBodies(
       inner->SearchRegion = this->SearchRegion;
       inner->SetInputData(0, source);
       inner->SetInputData(1, bodies[1].Meshes[b]);
+      vtkNew<ForwardMessages> messages;
+      messages->Outer = this;
+      inner->AddObserver(vtkCommand::ErrorEvent, messages);
+      inner->AddObserver(vtkCommand::WarningEvent, messages);
       marrow::WatchInner(this, inner, begin, begin + step);
       begin += step;
       inner->Update();

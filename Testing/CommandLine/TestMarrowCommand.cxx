@@ -447,13 +447,9 @@ TEST_F(MarrowCommand, ErrorsOfFiltersAndReadersAreOneSentence)
   this->WriteText("broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   this->WriteText("empty.off", "OFF\n0 0 0\n");
   this->WriteText("broken.vtp", "<VTKFile type=\"PolyData\"");
-  // Three triangles at one edge.
-  this->WriteText(
-    "fins.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
   this->ExpectError("measure broken.off -o out.vtp", "broken.off");
   this->ExpectError("measure empty.off -o out.vtp", "empty.off");
   this->ExpectError("measure broken.vtp -o out.vtp", "broken.vtp");
-  this->ExpectError("measure fins.off -o out.vtp", "more than two triangles");
   EXPECT_FALSE(fs::exists(this->Folder / "out.vtp"));
 
   const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
