@@ -244,14 +244,14 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
 int vtkSegmentationTransfer::TransferBodies(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  constexpr double afterSurfaces = 0.1;
   vtkPolyData* inputs[2] = { vtkPolyData::GetData(inputVector[0]),
     vtkPolyData::GetData(inputVector[1]) };
   marrow::WorkingBodies bodies[2];
   for (int side = 0; side < 2; ++side)
   {
-    const std::string error = marrow::MakeWorkingBodies(inputs[side], bodies[side],
-      marrow::ProgressOf(this, 0.5 * side * afterSurfaces, 0.5 * (side + 1) * afterSurfaces));
+    // A small part of the time, and where nothing is to mend the progress begins after it.
+    const std::string error =
+      marrow::MakeWorkingBodies(inputs[side], bodies[side], marrow::ProgressOf(this, 0.0, 0.0));
     if (!error.empty())
     {
       vtkErrorMacro(<< (side == 0 ? "Source: " : "Target: ") << error);
@@ -288,9 +288,8 @@ int vtkSegmentationTransfer::TransferBodies(
   std::vector<int> ofTriangles(surface.Mesh.Triangles.size(), 0);
   std::vector<double> confidence(surface.Mesh.Triangles.size(), 0.0);
   vtkNew<vtkAppendPolyData> boundaries[2];
-  const double step =
-    (1.0 - afterSurfaces) / static_cast<double>(bodies[1].Meshes.size() * sources.size());
-  double begin = afterSurfaces;
+  const double step = 1.0 / static_cast<double>(bodies[1].Meshes.size() * sources.size());
+  double begin = 0.0;
   for (std::size_t b = 0; b < bodies[1].Meshes.size(); ++b)
   {
     // A body takes its segments from the source's body that is most sure of them.
