@@ -88,6 +88,16 @@ public:
   void SetAGDMethodToAllPairs() { this->SetAGDMethod(ALL_PAIRS); }
   ///@}
 
+  ///@{
+  /**
+   * A mesh of more faces than this is measured on its working surface of so many (vtkWorkingSurface), and
+   * the measures are interpolated to its points. 0: every mesh is measured at every vertex.
+   * Default 0, range 0 to VTK_INT_MAX.
+   */
+  vtkSetClampMacro(MaximumFaces, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumFaces, int);
+  ///@}
+
 protected:
   vtkMSPField() = default;
   ~vtkMSPField() override = default;
@@ -97,6 +107,7 @@ protected:
 
   int NumberOfSlices = 12;
   int AGDMethod = SAMPLED;
+  int MaximumFaces = 0;
 
 private:
   vtkMSPField(const vtkMSPField&) = delete;

@@ -76,6 +76,15 @@ public:
   vtkGetMacro(NodeSpacing, double);
   ///@}
 
+  ///@{
+  /**
+   * The most faces of the working surface (vtkWorkingSurface) on which the skeleton is made: finer meshes are
+   * simplified to so many first. 0: never. Default 20000, range 0 to VTK_INT_MAX.
+   */
+  vtkSetClampMacro(MaximumFaces, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumFaces, int);
+  ///@}
+
 protected:
   vtkMSPSkeleton();
   ~vtkMSPSkeleton() override = default;
@@ -85,6 +94,7 @@ protected:
 
   double FinestArea = 0.004;
   double NodeSpacing = 0.012;
+  int MaximumFaces = 20000;
 
 private:
   vtkMSPSkeleton(const vtkMSPSkeleton&) = delete;

@@ -30,7 +30,7 @@ int vtkMeanCurvatureSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
   };
   request.ProgressAfterMeasures = 0.1;
   request.Compute = [this](const marrow::TriangleMesh& mesh,
-                      const marrow::SkeletonMeasures& measures, const marrow::Progress& progress,
+                      const marrow::VertexMeasures& measures, const marrow::Progress& progress,
                       marrow::Skeleton& skeleton)
   {
     marrow::MeanCurvatureWeights weights;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSegmentationTransfer.h"
 
+#include "AnalyzedSide.h"
 #include "ArrayNames.h"
 #include "FilterSupport.h"
-#include "MatchedSkeletons.h"
 #include "MeshBridge.h"
 #include "SegmentLoops.h"
-#include "SegmentationTransfer.h"
-#include "TransferInputs.h"
+#include "SideTransfer.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -20,25 +19,15 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <algorithm>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 vtkStandardNewMacro(vtkSegmentationTransfer);
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> CopyOf(vtkPolyData* data)
-{
-  if (!data)
-  {
-    return nullptr;
-  }
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(data);
-  return copy;
-}
-
 /// One closed polyline for every boundary that has points on this side.
 void WriteBoundaries(
   const std::vector<marrow::BoundaryPair>& boundaries, bool source, vtkPolyData* output)
@@ -79,7 +68,7 @@ void WriteBoundaries(
   marrow::SetArray(output->GetCellData(), "EnclosesBranch", strict);
 }
 
-std::string Join(const std::vector<int>& values)
+std::string Join(const std::set<int>& values)
 {
   std::string text;
   for (int value : values)
@@ -90,13 +79,51 @@ std::string Join(const std::vector<int>& values)
 }
 }
 
+/// What is known of the two meshes, kept as long as they are the same: a parameter of the transfer changes
+/// nothing about them, and one source may serve many targets.
+struct vtkSegmentationTransfer::Analysis
+{
+  marrow::AnalyzedSide Sides[2];
+
+  std::string Update(
+    int side, vtkPolyData* mesh, vtkPolyData* skeleton, const marrow::Progress& progress)
+  {
+    const Key key = { mesh, mesh->GetMTime(), skeleton, skeleton ? skeleton->GetMTime() : 0 };
+    if (this->Keys[side] == key)
+    {
+      return {};
+    }
+    bool isStopped = false;
+    this->Keys[side] = {};
+    this->Sides[side] = {};
+    const std::string error = marrow::AnalyzeSide(mesh, skeleton, this->Sides[side],
+      [&](double fraction)
+      {
+        isStopped = isStopped || !marrow::Report(progress, fraction);
+        return !isStopped;
+      });
+    if (error.empty() && !isStopped)
+    {
+      this->Keys[side] = key;
+    }
+    return error;
+  }
+
+private:
+  using Key = std::tuple<vtkPolyData*, vtkMTimeType, vtkPolyData*, vtkMTimeType>;
+  Key Keys[2];
+};
+
 vtkSegmentationTransfer::vtkSegmentationTransfer()
+  : Analyzed(new Analysis)
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, marrow::names::SegmentId);
 }
+
+vtkSegmentationTransfer::~vtkSegmentationTransfer() = default;
 
 int vtkSegmentationTransfer::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -111,71 +138,77 @@ int vtkSegmentationTransfer::FillInputPortInformation(int port, vtkInformation* 
 int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* inputTarget = vtkPolyData::GetData(inputVector[1]);
-  if (marrow::IsIdleProcess(outputVector, inputTarget))
+  vtkPolyData* sourceMesh = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* targetMesh = vtkPolyData::GetData(inputVector[1]);
+  vtkPolyData* sourceSkeleton = vtkPolyData::GetData(inputVector[2]);
+  vtkPolyData* targetSkeleton = vtkPolyData::GetData(inputVector[3]);
+  if (marrow::IsIdleProcess(outputVector, targetMesh))
   {
     return 1;
   }
-  marrow::TransferSide source{ "Source", CopyOf(vtkPolyData::GetData(inputVector[0])),
-    CopyOf(vtkPolyData::GetData(inputVector[2])) };
-  marrow::TransferSide target{ "Target", CopyOf(inputTarget),
-    CopyOf(vtkPolyData::GetData(inputVector[3])) };
-
-  std::vector<int> labels;
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  std::string error = marrow::ReadLabels(source.Mesh, this->GetInputArrayToProcess(0, inputVector),
-    name ? name : marrow::names::SegmentId, labels);
-  marrow::AnalyzedMesh sourceMesh;
-  marrow::AnalyzedMesh targetMesh;
-  marrow::CorrespondenceIds ids;
-  double confidence = 1.0;
-  error = error.empty() ? marrow::CompleteSide(this, 0.0, 0.35, source, sourceMesh) : error;
-  error = error.empty() && !marrow::IsAborted(this)
-    ? marrow::CompleteSide(this, 0.35, 0.7, target, targetMesh)
-    : error;
-  error = error.empty() && !marrow::IsAborted(this)
-    ? marrow::ReadCorrespondence(this, 0.7, 0.75, source, target, ids, confidence)
-    : error;
-  if (error.empty() && !labels.empty())
-  {
-    const int numberOfPieces = marrow::FindPieces(sourceMesh.Mesh, labels).NumberOfPieces();
-    if (numberOfPieces > marrow::MostPieces)
-    {
-      error = "Source: the segments fall into " + std::to_string(numberOfPieces) +
-        " connected pieces, more than " + std::to_string(marrow::MostPieces) +
-        ": merge the small ones with their neighbours first.";
-    }
-  }
-  if (!error.empty())
+  const auto fail = [this](const std::string& error)
   {
     vtkErrorMacro(<< error);
     return 0;
+  };
+
+  std::vector<int> labels;
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  std::string error = marrow::ReadLabels(sourceMesh, this->GetInputArrayToProcess(0, inputVector),
+    name ? name : marrow::names::SegmentId, labels);
+  if (!error.empty())
+  {
+    return fail(error);
+  }
+  marrow::AnalyzedSide& source = this->Analyzed->Sides[0];
+  marrow::AnalyzedSide& target = this->Analyzed->Sides[1];
+  error = this->Analyzed->Update(0, sourceMesh, sourceSkeleton, marrow::ProgressOf(this, 0.0, 0.35));
+  if (!error.empty())
+  {
+    return fail("Source: " + error);
+  }
+  error = this->Analyzed->Update(1, targetMesh, targetSkeleton, marrow::ProgressOf(this, 0.35, 0.7));
+  if (!error.empty())
+  {
+    return fail("Target: " + error);
   }
   if (marrow::IsAborted(this))
   {
     return 1;
   }
+  std::vector<std::vector<int>> labelsOfBodies;
+  int numberOfPieces = 0;
+  for (const marrow::Body& body : source.Surface.Bodies)
+  {
+    labelsOfBodies.push_back(marrow::LabelsOfBody(source.Surface, body, labels));
+    numberOfPieces += marrow::FindPieces(body.Mesh, labelsOfBodies.back()).NumberOfPieces();
+  }
+  if (numberOfPieces > marrow::MostPieces)
+  {
+    return fail("Source: the segments fall into " + std::to_string(numberOfPieces) +
+      " connected pieces, more than " + std::to_string(marrow::MostPieces) +
+      ": merge the small ones with their neighbours first.");
+  }
 
-  const marrow::MatchedSkeletons match =
-    marrow::JoinChains(sourceMesh.Skeleton, targetMesh.Skeleton, ids);
-  confidence = match.IsEmpty() ? std::min(confidence, 0.2) : confidence;
   marrow::TransferParameters parameters;
   parameters.Theta = this->Theta;
   parameters.Kernel = this->Kernel;
   parameters.Lambda = this->Lambda;
   parameters.SearchRegion = this->SearchRegion;
   parameters.StrictBoundaries = this->StrictBoundaries;
-  const marrow::TransferResult result = marrow::TransferSegmentation(sourceMesh, targetMesh, match,
-    confidence, labels, parameters, marrow::ProgressOf(this, 0.75, 1.0));
-  if (result.IsAborted)
+  const marrow::SideTransferResult result =
+    marrow::TransferSide(source, target, marrow::ReadCorrespondence(sourceSkeleton),
+      marrow::ReadCorrespondence(targetSkeleton), labelsOfBodies, parameters,
+      marrow::ProgressOf(this, 0.7, 1.0));
+  if (marrow::IsAborted(this))
   {
     return 1;
   }
   if (result.IsWholeAlignment)
   {
-    vtkWarningMacro(<< (match.IsEmpty() ? "No branch of the skeletons is matched"
-                                        : "The matched skeletons bring the surfaces together no "
-                                          "better than their principal axes")
+    vtkWarningMacro(<< (result.IsMatched ? "The matched skeletons bring the surfaces together no "
+                                           "better than their principal axes"
+                                         : "No branch of the skeletons is matched")
                     << ": the meshes are aligned as wholes, and the segments are only as good as "
                        "that.");
   }
@@ -190,7 +223,7 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->ShallowCopy(inputTarget);
+  output->ShallowCopy(targetMesh);
   marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, result.Labels);
   output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
   // Viewers prefer point scalars to cell scalars.

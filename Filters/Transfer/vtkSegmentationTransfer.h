@@ -79,6 +79,8 @@
 #include "MarrowTransferModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
 class MARROWTRANSFER_EXPORT vtkSegmentationTransfer : public vtkPolyDataAlgorithm
 {
 public:
@@ -144,7 +146,7 @@ public:
 
 protected:
   vtkSegmentationTransfer();
-  ~vtkSegmentationTransfer() override = default;
+  ~vtkSegmentationTransfer() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -159,6 +161,9 @@ private:
   double Kernel = 0.05;
   double Lambda = 0.1;
   double SearchRegion = 0.02;
+
+  struct Analysis;
+  std::unique_ptr<Analysis> Analyzed;
 };
 
 #endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_SideTransfer_h
+#define marrow_SideTransfer_h
+
+#include "AnalyzedSide.h"
+#include "SegmentationTransfer.h"
+
+#include <set>
+#include <vector>
+
+namespace marrow
+{
+/// What came over to all bodies of the target, in the terms of the input.
+struct SideTransferResult
+{
+  std::vector<int> Labels;        ///< per cell of the target
+  std::vector<double> Confidence; ///< per cell of the target, [0,1]
+  std::vector<BoundaryPair> Boundaries; ///< in the coordinates of the two meshes
+  std::set<int> MissingLabels;          ///< labels that some body of the target has not got
+  int NumberOfMissingPieces = 0;        ///< of the body that misses most
+  bool IsMatched = true;                ///< every body has a matched branch
+  bool IsWholeAlignment = false;        ///< some body is aligned as a whole
+};
+
+/// Each body of the target takes its segments from the body of the source that matches it at the least
+/// cost; where the skeletons bring their correspondence, both are one body, and that is used. What
+/// `progress` stops is left unfinished.
+SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& target,
+  const GivenCorrespondence& givenSource, const GivenCorrespondence& givenTarget,
+  const std::vector<std::vector<int>>& labelsOfSourceBodies, const TransferParameters& parameters,
+  const Progress& progress);
+}
+
+#endif
