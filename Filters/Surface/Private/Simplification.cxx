@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Simplification.h"
 
-#include "EdgeCollapsing.h"
+#include "EdgeOperations.h"
 #include "Quadric.h"
 #include "TriangleTree.h"
 
@@ -95,7 +95,7 @@ public:
     }
   }
 
-  EdgeCollapsing Collapsing;
+  EdgeOperations Collapsing;
 
   /// One pass; returns how many edges collapsed. Never goes below `goal` triangles by more than one.
   int Pass(int goal, double share)
@@ -169,7 +169,6 @@ private:
 
   bool TryCollapse(const Candidate& candidate)
   {
-    const TriangleMesh& mesh = this->Collapsing.Mesh();
     const int h = candidate.HalfEdge;
     if (this->Collapsing.IsRemoved(h / 3))
     {
@@ -182,8 +181,8 @@ private:
     {
       return false;
     }
-    // What has changed round it waits for the next pass with its new cost.
-    mesh.ForEachNeighbor(goes, [&](int v) { this->Locked[v] = this->PassNumber; });
+    // The costs of its edges have changed: they wait for the next pass.
+    this->Locked[stays] = this->PassNumber;
     this->Collapsing.Collapse(h, candidate.Backward);
     this->Quadrics[stays] += this->Quadrics[goes];
     this->RingArea[stays] += this->RingArea[goes];
@@ -219,7 +218,7 @@ private:
 
   std::vector<Quadric> Quadrics;
   std::vector<double> RingArea;
-  std::vector<int> Locked; ///< per vertex: the last pass that changed something round it
+  std::vector<int> Locked; ///< per vertex: the last pass that drew another into it
   std::vector<Candidate> Candidates;
   int PassNumber = 0;
 };
@@ -261,7 +260,7 @@ bool SimplifyMesh(
   const TriangleMesh& mesh, int maximumTriangles, const Progress& progress, SimplifiedMesh& output)
 {
   Simplifying simplifying(mesh);
-  EdgeCollapsing& collapsing = simplifying.Collapsing;
+  EdgeOperations& collapsing = simplifying.Collapsing;
   const double start = std::log(std::max(1, mesh.NumberOfTriangles()));
   const double end = std::log(std::max(1, maximumTriangles));
   double share = PassShare;

@@ -24,7 +24,7 @@ struct SimplifiedMesh
 /// a triangle over or draw it thin is not done, so a few more triangles may be left: the genus, the
 /// components and the borders stay. Needs an oriented manifold and leaves one.
 ///
-/// Works in passes over all edges, each taking the best edges that do not touch one another: O(n log n),
+/// Works in passes over all edges, each taking the best ones: O(n log n),
 /// and the order of the file plays no part but for exact ties at the same place. False if aborted.
 bool SimplifyMesh(
   const TriangleMesh& mesh, int maximumTriangles, const Progress& progress, SimplifiedMesh& output);

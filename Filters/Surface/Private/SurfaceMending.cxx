@@ -4,6 +4,7 @@
 #include "FaceOrientation.h"
 #include "FaceRemoval.h"
 #include "FanSeparation.h"
+#include "FlatTriangles.h"
 #include "HoleFilling.h"
 #include "PointWelding.h"
 #include "PolygonTriangulation.h"
@@ -83,7 +84,8 @@ void MendSurface(const PolygonMesh& input, Mending& mending, SurfaceReport& repo
   report.CutEdges = changes.CutEdges;
   report.SplitPoints = SeparateFans(mesh);
   report.FilledHoles = FillHoles(mesh);
+  const int flipped = RemoveFlatTriangles(mesh);
   RemoveUnusedVertices(mesh);
-  report.FacesWithoutArea = CountFacesWithoutArea(input, mending);
+  report.FacesWithoutArea = flipped + CountFacesWithoutArea(input, mending);
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef marrow_EdgeCollapsing_h
-#define marrow_EdgeCollapsing_h
+#ifndef marrow_EdgeOperations_h
+#define marrow_EdgeOperations_h
 
 #include "TriangleMesh.h"
 
@@ -8,13 +8,13 @@
 
 namespace marrow
 {
-/// An oriented manifold whose edges can be collapsed, one vertex drawn into the other. It stays an
-/// oriented manifold of the same topology; removed triangles are marked, and their numbers not used
-/// again.
-class EdgeCollapsing
+/// An oriented manifold whose edges can be collapsed, one vertex drawn into the other, and flipped. It
+/// stays an oriented manifold of the same topology; removed triangles are marked, and their numbers not
+/// used again.
+class EdgeOperations
 {
 public:
-  explicit EdgeCollapsing(TriangleMesh mesh);
+  explicit EdgeOperations(TriangleMesh mesh);
 
   const TriangleMesh& Mesh() const { return this->Triangles; }
   bool IsRemoved(int triangle) const { return this->Removed[triangle] != 0; }
@@ -30,6 +30,10 @@ public:
   /// drawn into the other, and leave the topology as it is.
   bool CanCollapse(int halfEdge, bool backward);
   void Collapse(int halfEdge, bool backward);
+
+  /// Whether the edge may be replaced by the other diagonal of its two triangles.
+  bool CanFlip(int halfEdge) const;
+  void Flip(int halfEdge);
 
 private:
   /// Joins what lies beyond the two other edges of a triangle that vanishes; the apex and the vertex

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EdgeCollapsing.h"
+#include "EdgeOperations.h"
 
 #include <numeric>
 #include <utility>
 
 namespace marrow
 {
-EdgeCollapsing::EdgeCollapsing(TriangleMesh mesh)
+EdgeOperations::EdgeOperations(TriangleMesh mesh)
   : Triangles(std::move(mesh))
   , Removed(this->Triangles.Triangles.size(), 0)
   , Target(this->Triangles.Points.size())
@@ -16,7 +16,7 @@ EdgeCollapsing::EdgeCollapsing(TriangleMesh mesh)
   std::iota(this->Target.begin(), this->Target.end(), 0);
 }
 
-int EdgeCollapsing::Survivor(int vertex)
+int EdgeOperations::Survivor(int vertex)
 {
   while (this->Target[vertex] != vertex)
   {
@@ -25,7 +25,7 @@ int EdgeCollapsing::Survivor(int vertex)
   return vertex;
 }
 
-bool EdgeCollapsing::CanCollapse(int halfEdge, bool backward)
+bool EdgeOperations::CanCollapse(int halfEdge, bool backward)
 {
   const TriangleMesh& mesh = this->Triangles;
   const int opposite = mesh.Opposite[halfEdge];
@@ -72,7 +72,7 @@ bool EdgeCollapsing::CanCollapse(int halfEdge, bool backward)
   return true;
 }
 
-void EdgeCollapsing::SetOutgoing(int vertex, int halfEdge)
+void EdgeOperations::SetOutgoing(int vertex, int halfEdge)
 {
   // On a border the first of the fan.
   int walk = halfEdge;
@@ -87,7 +87,7 @@ void EdgeCollapsing::SetOutgoing(int vertex, int halfEdge)
   this->Triangles.Outgoing[vertex] = walk;
 }
 
-void EdgeCollapsing::CloseUp(int halfEdge, int stays)
+void EdgeOperations::CloseUp(int halfEdge, int stays)
 {
   TriangleMesh& mesh = this->Triangles;
   const int toApex = TriangleMesh::Next(halfEdge);
@@ -109,7 +109,7 @@ void EdgeCollapsing::CloseUp(int halfEdge, int stays)
   mesh.Outgoing[stays] = incoming >= 0 ? incoming : TriangleMesh::Next(outgoing);
 }
 
-void EdgeCollapsing::Collapse(int halfEdge, bool backward)
+void EdgeOperations::Collapse(int halfEdge, bool backward)
 {
   TriangleMesh& mesh = this->Triangles;
   const int opposite = mesh.Opposite[halfEdge];
@@ -137,5 +137,52 @@ void EdgeCollapsing::Collapse(int halfEdge, bool backward)
   }
   this->Target[goes] = stays;
   mesh.Outgoing[goes] = -1;
+}
+
+bool EdgeOperations::CanFlip(int halfEdge) const
+{
+  const TriangleMesh& mesh = this->Triangles;
+  const int opposite = mesh.Opposite[halfEdge];
+  if (opposite < 0)
+  {
+    return false;
+  }
+  const int apex = mesh.To(TriangleMesh::Next(halfEdge));
+  const int otherApex = mesh.To(TriangleMesh::Next(opposite));
+  bool joined = apex == otherApex;
+  mesh.ForEachNeighbor(apex, [&](int v) { joined = joined || v == otherApex; });
+  return !joined;
+}
+
+void EdgeOperations::Flip(int halfEdge)
+{
+  TriangleMesh& mesh = this->Triangles;
+  const int opposite = mesh.Opposite[halfEdge];
+  const int from = mesh.From(halfEdge);
+  const int to = mesh.To(halfEdge);
+  const int apex = mesh.To(TriangleMesh::Next(halfEdge));
+  const int otherApex = mesh.To(TriangleMesh::Next(opposite));
+  const int first = 3 * (halfEdge / 3);
+  const int second = 3 * (opposite / 3);
+  const int toApex = mesh.Opposite[TriangleMesh::Next(halfEdge)];
+  const int fromApex = mesh.Opposite[TriangleMesh::Previous(halfEdge)];
+  const int toOther = mesh.Opposite[TriangleMesh::Next(opposite)];
+  const int fromOther = mesh.Opposite[TriangleMesh::Previous(opposite)];
+  mesh.Triangles[first / 3] = { from, otherApex, apex };
+  mesh.Triangles[second / 3] = { otherApex, to, apex };
+  const std::pair<int, int> partners[] = { { first, toOther }, { first + 1, second + 2 },
+    { first + 2, fromApex }, { second, fromOther }, { second + 1, toApex } };
+  for (const auto& [h, g] : partners)
+  {
+    mesh.Opposite[h] = g;
+    if (g >= 0)
+    {
+      mesh.Opposite[g] = h;
+    }
+  }
+  this->SetOutgoing(from, first);
+  this->SetOutgoing(otherApex, second);
+  this->SetOutgoing(to, second + 1);
+  this->SetOutgoing(apex, first + 2);
 }
 }
