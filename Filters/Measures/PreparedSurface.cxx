@@ -5,6 +5,7 @@
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
 #include "SkeletonFrame.h"
+#include "SurfaceBridge.h"
 
 #include <vtkMSPField.h>
 #include <vtkNew.h>
@@ -13,14 +14,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 namespace marrow
 {
 namespace
 {
 /// The triangles of one body and the vertices that they use, in the order of the working surface.
-Body ExtractBody(const WorkingSurface& working, int number)
+template <typename IsPart>
+Body ExtractBody(const WorkingSurface& working, IsPart&& isPart)
 {
   TriangleMesh part;
   std::vector<int> vertices;
@@ -28,7 +31,7 @@ Body ExtractBody(const WorkingSurface& working, int number)
   std::vector<int> rank(working.Mesh.Points.size(), -1);
   for (int t = 0; t < working.Mesh.NumberOfTriangles(); ++t)
   {
-    if (working.BodyOfTriangle[t] != number)
+    if (!isPart(t))
     {
       continue;
     }
@@ -146,31 +149,28 @@ void Scatter(const PreparedSurface& surface, const std::vector<VertexMeasures>& 
 }
 }
 
-std::string PrepareSurface(vtkPolyData* input, int /*maximumFaces*/, PreparedSurface& surface,
-  const Progress& progress)
+std::string PrepareSurface(vtkPolyData* input, int maximumFaces, BodyMode mode,
+  PreparedSurface& surface, const Progress& progress)
 {
   surface = PreparedSurface();
-  WorkingSurface& working = surface.Working;
-  MeshReport report;
-  const std::string error = ToManifoldMesh(input, working.Mesh, report);
+  SurfaceOfPolyData faces = ToPolygonMesh(input);
+  WorkingSurfaceParameters parameters;
+  parameters.MaximumFaces = maximumFaces > 0 ? maximumFaces : std::numeric_limits<int>::max();
+  const std::string error =
+    ComputeWorkingSurface(faces.Mesh, parameters, progress, surface.Working);
   if (!error.empty())
   {
     return error;
   }
-  working.VertexOfPoint.resize(working.Mesh.Points.size());
-  std::iota(working.VertexOfPoint.begin(), working.VertexOfPoint.end(), 0);
-  working.PointOfVertex = working.VertexOfPoint;
-  working.TriangleOfFullTriangle.resize(working.Mesh.Triangles.size());
-  std::iota(working.TriangleOfFullTriangle.begin(), working.TriangleOfFullTriangle.end(), 0);
-  working.CellOfFullTriangle = working.FullTriangleOfCell = working.TriangleOfFullTriangle;
-  working.Full = working.Mesh;
-  working.BodyOfTriangle.assign(working.Mesh.Triangles.size(), 0);
-
-  for (int body = 0; body < working.NumberOfBodies; ++body)
+  surface.CellOfPolygon = std::move(faces.CellOfPolygon);
+  surface.NumberOfCells = static_cast<int>(input->GetNumberOfCells());
+  const int numberOfBodies = mode == BodyMode::Together ? 1 : surface.Working.NumberOfBodies;
+  for (int number = 0; number < numberOfBodies; ++number)
   {
-    surface.Bodies.push_back(ExtractBody(working, body));
+    surface.Bodies.push_back(ExtractBody(surface.Working,
+      [&](int triangle)
+      { return mode == BodyMode::Together || surface.Working.BodyOfTriangle[triangle] == number; }));
   }
-  Report(progress, 1.0);
   return {};
 }
 

@@ -26,6 +26,8 @@ using Body = CanonicalMesh;
 struct PreparedSurface
 {
   WorkingSurface Working;
+  std::vector<int> CellOfPolygon; ///< the input's cell that each polygon of Working is
+  int NumberOfCells = 0;          ///< of the input, vertices and lines among them
   std::vector<Body> Bodies; ///< each matched by itself; the largest first
 
   /// The input point at, or nearest to, a vertex of a body.
@@ -35,10 +37,17 @@ struct PreparedSurface
   }
 };
 
+/// Whether the bodies of a mesh are each for itself, or all parts of one.
+enum class BodyMode
+{
+  Apart,
+  Together
+};
+
 /// `maximumFaces` of the working surface; 0: as many as there are. One sentence on what is wrong, or an
-/// empty one.
-std::string PrepareSurface(
-  vtkPolyData* input, int maximumFaces, PreparedSurface& surface, const Progress& progress = {});
+/// empty one; what `progress` stops is left unfinished.
+std::string PrepareSurface(vtkPolyData* input, int maximumFaces, BodyMode mode,
+  PreparedSurface& surface, const Progress& progress = {});
 
 /// The measures among the input's point arrays, seen from the frame of `body`; a vector stays empty where
 /// there is no such array. One sentence on the first value that is not finite, or an empty one.

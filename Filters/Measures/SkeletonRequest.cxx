@@ -69,7 +69,7 @@ int RunSkeletonRequest(vtkAlgorithm* filter, const SkeletonRequest& request,
 
   PreparedSurface surface;
   std::string error = PrepareSurface(
-    input, request.MaximumFaces, surface, ProgressOf(filter, 0.0, ProgressAfterSurface));
+    input, request.MaximumFaces, BodyMode::Apart, surface, ProgressOf(filter, 0.0, ProgressAfterSurface));
   if (!error.empty())
   {
     return fail(error);

@@ -25,7 +25,8 @@ int vtkMSPField::RequestData(vtkInformation* vtkNotUsed(request),
 
   constexpr double progressAfterSurface = 0.05;
   marrow::PreparedSurface surface;
-  const std::string error = marrow::PrepareSurface(input, this->MaximumFaces, surface,
+  const std::string error = marrow::PrepareSurface(input, this->MaximumFaces,
+    marrow::BodyMode::Apart, surface,
     marrow::ProgressOf(this, 0.0, progressAfterSurface));
   if (!error.empty())
   {

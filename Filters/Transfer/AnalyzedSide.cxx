@@ -135,7 +135,9 @@ std::string AnalyzeSide(
   constexpr double afterSurface = 0.1;
   vtkNew<vtkMSPSkeleton> defaults;
   std::string error =
-    PrepareSurface(mesh, defaults->GetMaximumFaces(), side.Surface, SubProgress(progress, 0.0, afterSurface));
+    PrepareSurface(mesh, defaults->GetMaximumFaces(),
+    skeleton ? BodyMode::Together : BodyMode::Apart, side.Surface,
+    SubProgress(progress, 0.0, afterSurface));
   if (!error.empty())
   {
     return error;
@@ -208,19 +210,38 @@ std::vector<int> LabelsOfBody(
   for (int t = 0; t < working.Full.NumberOfTriangles(); ++t)
   {
     const int own = indexInBody[working.TriangleOfFullTriangle[t]];
-    const int cell = working.CellOfFullTriangle[t];
-    if (own >= 0 && cell >= 0)
+    const int polygon = working.CellOfFullTriangle[t];
+    if (own >= 0 && polygon >= 0)
     {
-      areas[own][labelOfCell[cell]] += working.Full.Area(t);
+      areas[own][labelOfCell[surface.CellOfPolygon[polygon]]] += working.Full.Area(t);
     }
   }
-  std::vector<int> labels(body.Mesh.Triangles.size(), -1);
+  std::vector<int> labels(body.Mesh.Triangles.size(), 0);
+  std::vector<int> front;
+  std::vector<char> isKnown(labels.size(), 0);
   for (std::size_t t = 0; t < labels.size(); ++t)
   {
     if (!areas[t].empty())
     {
       labels[t] = std::max_element(areas[t].begin(), areas[t].end(),
         [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+      isKnown[t] = 1;
+      front.push_back(static_cast<int>(t));
+    }
+  }
+  // Where a hole was filled or the surface wrapped, no cell may lie nearest: from the neighbours inwards.
+  for (std::size_t i = 0; i < front.size(); ++i)
+  {
+    for (int h = 3 * front[i]; h < 3 * front[i] + 3; ++h)
+    {
+      const int opposite = body.Mesh.Opposite[h];
+      const int neighbor = opposite < 0 ? -1 : TriangleMesh::TriangleOf(opposite);
+      if (neighbor >= 0 && !isKnown[neighbor])
+      {
+        isKnown[neighbor] = 1;
+        labels[neighbor] = labels[front[i]];
+        front.push_back(neighbor);
+      }
     }
   }
   return labels;

@@ -121,11 +121,16 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }
 
-  result.Labels = LabelsOfCells(working, LabelsAtFullResolution(working, labels));
-  result.Confidence.reserve(result.Labels.size());
-  for (int triangle : working.FullTriangleOfCell)
+  const std::vector<int> ofPolygons =
+    LabelsOfPolygons(working, LabelsAtFullResolution(working, labels));
+  // Vertices and lines among the cells are no surface and have no segment.
+  result.Labels.assign(target.Surface.NumberOfCells, -1);
+  result.Confidence.assign(target.Surface.NumberOfCells, 0.0);
+  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
   {
-    result.Confidence.push_back(confidence[working.TriangleOfFullTriangle[triangle]]);
+    const int cell = target.Surface.CellOfPolygon[p];
+    result.Labels[cell] = ofPolygons[p];
+    result.Confidence[cell] = confidence[working.TriangleOfCell(static_cast<int>(p))];
   }
   return result;
 }

@@ -106,23 +106,23 @@ std::vector<int> LabelsAtFullResolution(
   return labels;
 }
 
-std::vector<int> LabelsOfCells(
+std::vector<int> LabelsOfPolygons(
   const WorkingSurface& surface, const std::vector<int>& labelOfFullTriangle)
 {
-  const std::size_t numberOfCells = surface.FullTriangleOfCell.size();
-  std::vector<int> labels(numberOfCells);
-  for (std::size_t c = 0; c < numberOfCells; ++c)
+  const std::size_t numberOfPolygons = surface.FullTriangleOfCell.size();
+  std::vector<int> labels(numberOfPolygons);
+  for (std::size_t c = 0; c < numberOfPolygons; ++c)
   {
     labels[c] = labelOfFullTriangle[surface.FullTriangleOfCell[c]];
   }
-  // Cells of several triangles whose labels differ.
+  // Polygons of several triangles whose labels differ.
   std::map<int, Shares> mixed;
   for (std::size_t t = 0; t < labelOfFullTriangle.size(); ++t)
   {
-    const int cell = surface.CellOfFullTriangle[t];
-    if (cell >= 0 && labelOfFullTriangle[t] != labels[cell])
+    const int polygon = surface.CellOfFullTriangle[t];
+    if (polygon >= 0 && labelOfFullTriangle[t] != labels[polygon])
     {
-      mixed[cell];
+      mixed[polygon];
     }
   }
   if (!mixed.empty())
@@ -135,9 +135,9 @@ std::vector<int> LabelsOfCells(
         found->second[labelOfFullTriangle[t]] += surface.Full.Area(static_cast<int>(t));
       }
     }
-    for (const auto& [cell, shares] : mixed)
+    for (const auto& [polygon, shares] : mixed)
     {
-      labels[cell] = LargestShare(shares);
+      labels[polygon] = LargestShare(shares);
     }
   }
   return labels;

@@ -16,9 +16,9 @@ namespace marrow
 std::vector<int> LabelsAtFullResolution(
   const WorkingSurface& surface, const std::vector<int>& labelOfTriangle);
 
-/// From triangles of the mended mesh to the cells of the input: what most of a cell's area has; a cell
-/// without a triangle of its own takes that of the nearest one.
-std::vector<int> LabelsOfCells(
+/// From triangles of the mended mesh to the polygons of the input: what most of a polygon's area has; one
+/// without a triangle of its own takes that of the nearest triangle.
+std::vector<int> LabelsOfPolygons(
   const WorkingSurface& surface, const std::vector<int>& labelOfFullTriangle);
 }
 
