@@ -3,6 +3,7 @@
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "LabelBridge.h"
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
 #include "SkeletonMatching.h"
@@ -91,19 +92,31 @@ std::string ReadSkeleton(const TransferSide& side, AnalyzedMesh& analyzed)
   return {};
 }
 
+/// The values of the lines, which are the branches: vertex cells come before them, polygons after.
+bool GetBranchArray(vtkPolyData* skeleton, const char* name, std::vector<int>& values)
+{
+  std::vector<int> cells;
+  if (!GetArray(
+        skeleton->GetCellData(), name, static_cast<int>(skeleton->GetNumberOfCells()), cells))
+  {
+    return false;
+  }
+  const auto first = cells.begin() + skeleton->GetNumberOfVerts();
+  values.assign(first, first + skeleton->GetNumberOfLines());
+  return true;
+}
+
 bool GetIds(vtkPolyData* skeleton, std::vector<int>& nodes, std::vector<int>& branches,
   CorrespondenceIds::ChainOrder& order)
 {
   const int numberOfNodes = static_cast<int>(skeleton->GetNumberOfPoints());
-  const int numberOfBranches = static_cast<int>(skeleton->GetNumberOfCells());
-  vtkCellData* cells = skeleton->GetCellData();
-  if (!GetArray(cells, names::BranchCorrespondenceOrder, numberOfBranches, order.Order) ||
-    !GetArray(cells, names::BranchCorrespondenceReversed, numberOfBranches, order.Reversed))
+  if (!GetBranchArray(skeleton, names::BranchCorrespondenceOrder, order.Order) ||
+    !GetBranchArray(skeleton, names::BranchCorrespondenceReversed, order.Reversed))
   {
     order = {};
   }
   return GetArray(skeleton->GetPointData(), names::CorrespondenceId, numberOfNodes, nodes) &&
-    GetArray(cells, names::BranchCorrespondenceId, numberOfBranches, branches);
+    GetBranchArray(skeleton, names::BranchCorrespondenceId, branches);
 }
 
 CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
@@ -207,28 +220,10 @@ std::string ReadLabels(
       known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
     }
     return "Source: the mesh has no cell array \"" + name + "\" of segments; " +
-      (known.empty() ? "it has no cell arrays: read a .seg file with vtkSegmentReader."
+      (known.empty() ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader."
                      : "it has " + known + ": choose one with SetInputArrayToProcess.");
   }
-  const vtkIdType numberOfCells = mesh->GetNumberOfCells();
-  if (array->GetNumberOfTuples() != numberOfCells || array->GetNumberOfComponents() != 1)
-  {
-    return "Source: the array \"" + name + "\" of segments has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
-      std::to_string(array->GetNumberOfComponents()) + " components but the mesh has " +
-      std::to_string(numberOfCells) + " cells: give one integer per cell.";
-  }
-  labels.resize(numberOfCells);
-  for (vtkIdType i = 0; i < numberOfCells; ++i)
-  {
-    const double value = array->GetTuple1(i);
-    labels[i] = static_cast<int>(value);
-    if (static_cast<double>(labels[i]) != value)
-    {
-      return "Source: the array \"" + name + "\" of segments is no integer at cell " +
-        std::to_string(i) + ": give one integer per cell.";
-    }
-  }
-  return {};
+  const std::string error = ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
+  return error.empty() ? error : "Source: " + error;
 }
 }

@@ -93,3 +93,8 @@ void Console::ThrowIfError(const std::string& title)
     }
   }
 }
+
+void Console::ShowError(const std::exception& error)
+{
+  std::cerr << "marrow: " << error.what() << std::endl;
+}

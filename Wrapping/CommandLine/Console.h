@@ -4,6 +4,7 @@
 
 #include <vtkNew.h>
 
+#include <exception>
 #include <string>
 
 class ErrorRecorder;
@@ -32,6 +33,9 @@ public:
   /// Throws CommandError if a VTK object has reported an error since the last call. For classes
   /// that are no algorithms or whose work begins elsewhere than in Update(), such as writers.
   void ThrowIfError(const std::string& title);
+
+  /// Tells of what ends the program, or one of many tasks.
+  static void ShowError(const std::exception& error);
 
 private:
   vtkNew<ErrorRecorder> Recorder;
