@@ -54,7 +54,7 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
     "Examples:\n"
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
     "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled\n"
-    "  marrow transfer camel.obj cow.ply --labels groups -o cow.obj\n"
+    "  marrow transfer camel.off cow.off --segments camel.seg -o cow.obj\n"
     "A target that cannot be done is named, and the others are done; the exit code is then 1.");
   return app;
 }
