@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A whole collection from one labelled mesh. The source is analyzed once: its skeleton is an input
 // of every transfer.
 //   Collection [picture.png]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which parts of two meshes are the same, by their skeletons.
 //   Correspondence [picture.png]
 #include <vtkCellData.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What vtkMSPField finds out about a surface: how far from the middle (AGD), how thick (MSP), and
 // where the thickness changes (MSPGradient).
 //   Measures [picture.png]

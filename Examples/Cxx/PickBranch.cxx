@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Click on a branch of the skeleton, and the part of the surface that belongs to it lights up.
 //   PickBranch                   opens a window
 //   PickBranch picture.png X Y   clicks at pixel X, Y without one and writes what is then seen

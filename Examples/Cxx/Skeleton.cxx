@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The skeleton of a mesh, and the part of the surface that belongs to each branch.
 //   Skeleton [picture.png]
 #include <vtkCreatureSource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The segments of one mesh on another, the boundaries that carried them, and how sure that is.
 //   Transfer [picture.png]
 #include <vtkCreatureSource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <vtkCreatureSource.h>
 #include <vtkNew.h>
 #include <vtkSegmentationTransfer.h>

@@ -9,11 +9,13 @@ A recipe is a list of segments, in order:
     segment NUMBER NAME
       seed POINT              a place on the mesh that is in the segment
       side POINT DIRECTION    a plane through POINT; the segment is where DIRECTION points to
+      ball POINT RADIUS       the segment is within RADIUS of POINT
 
 A segment grows from the face nearest to its seed over all neighbours whose centres lie on the right
-side of every plane and which no earlier segment took. A segment without seed takes what is left.
-Whatever does not come out in one piece is told, and nothing is written.
+side of every plane and in every ball and which no earlier segment took. A segment without seed takes
+what is left. A number may come twice. Faces that are left over are an error, and nothing is written.
 """
+import math
 import sys
 
 
@@ -21,13 +23,14 @@ def read_off(path):
     """The points and faces of an OFF file."""
     with open(path) as file:
         words = [word for line in file for word in line.split("#")[0].split()]
-    if words[0] != "OFF":
-        sys.exit(f"{path}: not an OFF file.")
+    if words[0] not in ("OFF", "COFF"):
+        sys.exit(f"{path}: neither an OFF nor a COFF file.")
     number_of_points, number_of_faces, at = int(words[1]), int(words[2]), 4
+    numbers_per_point = 7 if words[0] == "COFF" else 3
     points = []
     for _ in range(number_of_points):
         points.append(tuple(map(float, words[at:at + 3])))
-        at += 3
+        at += numbers_per_point
     faces = []
     for _ in range(number_of_faces):
         size = int(words[at])
@@ -46,13 +49,16 @@ def read_recipe(path):
                 continue
             if words[0] == "segment":
                 segments.append({"number": int(words[1]), "name": " ".join(words[2:]),
-                                 "seed": None, "planes": []})
+                                 "seed": None, "planes": [], "balls": []})
             elif words[0] == "seed" and len(words) == 4:
                 segments[-1]["seed"] = tuple(map(float, words[1:]))
             elif words[0] == "side" and len(words) == 7:
                 point, direction = map(float, words[1:4]), tuple(map(float, words[4:]))
                 offset = sum(p * d for p, d in zip(point, direction))
                 segments[-1]["planes"].append((direction, offset))
+            elif words[0] == "ball" and len(words) == 5:
+                point, radius = tuple(map(float, words[1:4])), float(words[4])
+                segments[-1]["balls"].append((point, radius))
             else:
                 sys.exit(f"{path}: cannot read the line '{line.strip()}'.")
     return segments
@@ -102,7 +108,8 @@ def main():
         def allowed(face):
             return numbers[face] is None and all(
                 sum(c * d for c, d in zip(centers[face], direction)) > offset
-                for direction, offset in segment["planes"])
+                for direction, offset in segment["planes"]) and all(
+                math.dist(centers[face], point) < radius for point, radius in segment["balls"])
         if segment["seed"]:
             start = min(range(len(faces)), key=lambda face: sum(
                 (c - s) ** 2 for c, s in zip(centers[face], segment["seed"])))

@@ -36,8 +36,7 @@ int vtkMeanCurvatureSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
     marrow::MeanCurvatureWeights weights;
     weights.QualitySpeedTradeoff = this->QualitySpeedTradeoff;
     weights.MediallyCenteredSpeedTradeoff = this->MediallyCenteredSpeedTradeoff;
-    const std::string error =
-      marrow::ComputeMeanCurvatureSkeleton(mesh, weights, skeleton, progress);
+    std::string error = marrow::ComputeMeanCurvatureSkeleton(mesh, weights, skeleton, progress);
     if (error.empty() && !marrow::IsAborted(this))
     {
       marrow::AverageMeasures(skeleton, mesh, measures);

@@ -92,19 +92,31 @@ std::string ReadSkeleton(const TransferSide& side, AnalyzedMesh& analyzed)
   return {};
 }
 
+/// The values of the lines, which are the branches: vertex cells come before them, polygons after.
+bool GetBranchArray(vtkPolyData* skeleton, const char* name, std::vector<int>& values)
+{
+  std::vector<int> cells;
+  if (!GetArray(
+        skeleton->GetCellData(), name, static_cast<int>(skeleton->GetNumberOfCells()), cells))
+  {
+    return false;
+  }
+  const auto first = cells.begin() + skeleton->GetNumberOfVerts();
+  values.assign(first, first + skeleton->GetNumberOfLines());
+  return true;
+}
+
 bool GetIds(vtkPolyData* skeleton, std::vector<int>& nodes, std::vector<int>& branches,
   CorrespondenceIds::ChainOrder& order)
 {
   const int numberOfNodes = static_cast<int>(skeleton->GetNumberOfPoints());
-  const int numberOfBranches = static_cast<int>(skeleton->GetNumberOfCells());
-  vtkCellData* cells = skeleton->GetCellData();
-  if (!GetArray(cells, names::BranchCorrespondenceOrder, numberOfBranches, order.Order) ||
-    !GetArray(cells, names::BranchCorrespondenceReversed, numberOfBranches, order.Reversed))
+  if (!GetBranchArray(skeleton, names::BranchCorrespondenceOrder, order.Order) ||
+    !GetBranchArray(skeleton, names::BranchCorrespondenceReversed, order.Reversed))
   {
     order = {};
   }
   return GetArray(skeleton->GetPointData(), names::CorrespondenceId, numberOfNodes, nodes) &&
-    GetArray(cells, names::BranchCorrespondenceId, numberOfBranches, branches);
+    GetBranchArray(skeleton, names::BranchCorrespondenceId, branches);
 }
 }
 

@@ -11,7 +11,7 @@ from paraview import servermanager
 import plugin
 from plugin import expect, expect_equal
 
-MODULES = ("Correspondence", "Evaluation", "Measures", "Rendering", "Skeleton", "Sources", "Transfer")
+MODULES = ("Correspondence", "Evaluation", "Measures", "Rendering", "Skeleton", "Sources", "Surface", "Transfer")
 MOST_AT_FIRST = 5
 # Not for a user of a panel: what a reader of a file or a window needs.
 HIDDEN = {"FileName"}

@@ -3,6 +3,7 @@
 #include "ErrorObserver.h"
 #include "TransferTestData.h"
 
+#include <vtkCellArray.h>
 #include <vtkPointData.h>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,34 @@ TEST(TransferInputs, OtherArrayOfSegments)
   transfer->Update();
   EXPECT_TRUE(errors.Text().empty()) << errors.Text();
   EXPECT_GE(Accuracy(Output(transfer), labels), 0.99);
+}
+
+TEST(TransferInputs, VertexCellsOfSkeletonsAreNoBranches)
+{
+  const Prepared& target = Quadruped(2, 0.4, 0.2, 6000);
+  const auto withVertexCells = [](const Prepared& prepared) -> Prepared
+  {
+    // vtkCleanPolyData makes such cells of lines that collapse.
+    auto skeleton = Data::New();
+    skeleton->ShallowCopy(prepared.Skeleton);
+    skeleton->GetCellData()->Initialize();
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType node = 0; node < 3; ++node)
+    {
+      vertices->InsertNextCell(1, &node);
+    }
+    skeleton->SetVerts(vertices);
+    return { prepared.Mesh, skeleton };
+  };
+  vtkNew<vtkSegmentationTransfer> plain;
+  Connect(plain, Source(), target);
+  plain->Update();
+  vtkNew<vtkSegmentationTransfer> transfer;
+  Connect(transfer, withVertexCells(Source()), withVertexCells(target));
+  ErrorObserver errors(transfer);
+  transfer->Update();
+  EXPECT_TRUE(errors.Text().empty()) << errors.Text();
+  EXPECT_EQ(LabelsOf(Output(plain)), LabelsOf(Output(transfer)));
 }
 
 TEST(TransferInputs, ErrorsNameSideAndRemedy)

@@ -98,3 +98,11 @@ void Console::ShowError(const std::exception& error)
 {
   std::cerr << "marrow: " << error.what() << std::endl;
 }
+
+void Console::ShowNote(const std::string& title, const std::string& text) const
+{
+  if (!this->Quiet)
+  {
+    std::cerr << "marrow: note: " << title << ": " << text << "." << std::endl;
+  }
+}

@@ -77,10 +77,12 @@ void CorrespondCommand::Run(Console& console)
     files::RequireWritable(skeleton);
   }
   vtkNew<vtkMSPSkeleton> source;
-  source->SetInputData(files::ReadMesh(this->Source, console));
+  source->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Source, console), this->Source, console).Surface);
   console.Update(source, this->Source);
   vtkNew<vtkMSPSkeleton> target;
-  target->SetInputData(files::ReadMesh(this->Target, console));
+  target->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Target, console), this->Target, console).Surface);
   console.Update(target, this->Target);
 
   vtkNew<vtkSkeletonCorrespondence> correspondence;

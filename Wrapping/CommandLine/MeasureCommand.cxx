@@ -24,7 +24,8 @@ void MeasureCommand::Run(Console& console)
   files::RequireExtension(this->Output, { ".vtp", ".vtk" });
   files::RequireWritable(this->Output);
   vtkNew<vtkMSPField> measure;
-  measure->SetInputData(files::ReadMesh(this->Mesh, console));
+  measure->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Mesh, console), this->Mesh, console).Surface);
   console.Update(measure, this->Mesh);
   files::Write(measure->GetOutput(), this->Output, console);
 }

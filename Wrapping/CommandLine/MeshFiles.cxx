@@ -13,7 +13,7 @@
 #include <vtkMarrowSegmentWriter.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
-#include <vtkTriangleFilter.h>
+#include <vtkWorkingSurface.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
@@ -71,19 +71,6 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, Console& conso
   return reader->GetOutput();
 }
 
-/// Until the filters take polygons.
-vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* mesh)
-{
-  if (mesh->GetPolys()->IsHomogeneous() == 3)
-  {
-    return mesh;
-  }
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(mesh);
-  triangulate->Update();
-  return triangulate->GetOutput();
-}
-
 vtkSmartPointer<vtkPolyData> SelectSegments(
   vtkPolyData* mesh, const std::string& path, const std::string& labels, Console& console)
 {
@@ -124,7 +111,24 @@ void WriteWith(vtkWriter* writer, vtkPolyData* data, const std::string& path, Co
 
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console)
 {
-  return Triangulate(ReadSurface(path, console));
+  return ReadSurface(path, console);
+}
+
+WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console)
+{
+  vtkNew<vtkWorkingSurface> working;
+  working->SetInputData(mesh);
+  console.Update(working, path);
+  vtkPolyData* surface = working->GetOutput();
+  const std::string done =
+    surface->GetFieldData()->GetAbstractArray("WorkingSurfaceNote")->GetVariantValue(0).ToString();
+  if (!done.empty())
+  {
+    console.ShowNote(path, done);
+  }
+  const double* bodies = surface->GetCellData()->GetArray("BodyId")->GetRange();
+  const bool isInput = done.empty() && bodies[1] == 0.0;
+  return { isInput ? mesh : surface, isInput };
 }
 
 vtkSmartPointer<vtkPolyData> ReadSegmented(
@@ -149,7 +153,7 @@ vtkSmartPointer<vtkPolyData> ReadSegmented(
       SelectSegments(ReadSurface(segments.File, console), segments.File, segments.Labels, console);
     mesh = WithSegmentsOf(mesh, path, segmented, segments.File);
   }
-  return Triangulate(mesh);
+  return mesh;
 }
 
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path, Console& console)

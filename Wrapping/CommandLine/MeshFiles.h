@@ -29,6 +29,16 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console)
 vtkSmartPointer<vtkPolyData> ReadSegmented(
   const std::string& path, const SegmentSource& segments, Console& console);
 
+/// What a mesh is to the stages that take clean manifolds of triangles alone.
+struct WorkingMesh
+{
+  vtkSmartPointer<vtkPolyData> Surface;
+  bool IsInput; ///< one body that needs no mending: the mesh itself
+};
+
+/// Tells what was mended.
+WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console);
+
 /// Reads a .vtp or .vtk file as it is, a skeleton for example.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path, Console& console);
 

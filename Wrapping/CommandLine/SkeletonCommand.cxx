@@ -28,7 +28,8 @@ void SkeletonCommand::Run(Console& console)
     files::RequireWritable(this->MeshOutput);
   }
   vtkNew<vtkMSPSkeleton> skeleton;
-  skeleton->SetInputData(files::ReadMesh(this->Mesh, console));
+  skeleton->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Mesh, console), this->Mesh, console).Surface);
   console.Update(skeleton, this->Mesh);
   files::Write(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)), this->Output, console);
   if (!this->MeshOutput.empty())

@@ -119,19 +119,33 @@ void TransferCommand::WriteSkeleton(
   }
 }
 
-void TransferCommand::TransferTo(vtkMSPSkeleton* sourceSkeleton, const std::string& target,
-  const std::string& output, Console& console) const
+void TransferCommand::TransferTo(vtkPolyData* source, vtkMSPSkeleton* sourceSkeleton,
+  const std::string& target, const std::string& output, Console& console) const
 {
+  const vtkSmartPointer<vtkPolyData> mesh = files::ReadMesh(target, console);
+  const files::WorkingMesh working = files::MakeWorkingMesh(mesh, target, console);
+  const bool isByHand = sourceSkeleton && working.IsInput;
   vtkNew<vtkMSPSkeleton> targetSkeleton;
-  targetSkeleton->SetInputData(files::ReadMesh(target, console));
-  console.Update(targetSkeleton, target);
-  this->WriteSkeleton(targetSkeleton, this->SkeletonFile(target, output), console);
+  if (isByHand || this->WriteSkeletons)
+  {
+    targetSkeleton->SetInputData(working.Surface);
+    console.Update(targetSkeleton, target);
+    this->WriteSkeleton(targetSkeleton, this->SkeletonFile(target, output), console);
+  }
 
   vtkNew<vtkSegmentationTransfer> transfer;
-  transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1));
-  transfer->SetInputConnection(1, targetSkeleton->GetOutputPort(1));
-  transfer->SetInputConnection(2, sourceSkeleton->GetOutputPort(0));
-  transfer->SetInputConnection(3, targetSkeleton->GetOutputPort(0));
+  if (isByHand)
+  {
+    transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1));
+    transfer->SetInputConnection(1, targetSkeleton->GetOutputPort(1));
+    transfer->SetInputConnection(2, sourceSkeleton->GetOutputPort(0));
+    transfer->SetInputConnection(3, targetSkeleton->GetOutputPort(0));
+  }
+  else
+  {
+    transfer->SetInputData(0, source);
+    transfer->SetInputData(1, mesh);
+  }
   console.Update(transfer, target);
   files::Write(vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0)), output, console);
 }
@@ -144,17 +158,22 @@ void TransferCommand::Run(Console& console)
     files::ReadSegmented(this->Source, this->Segments, console);
 
   // Once for all targets.
+  const files::WorkingMesh working = files::MakeWorkingMesh(source, this->Source, console);
   vtkNew<vtkMSPSkeleton> sourceSkeleton;
-  sourceSkeleton->SetInputData(source);
-  console.Update(sourceSkeleton, this->Source);
-  this->WriteSkeleton(sourceSkeleton, this->SkeletonFile(this->Source, outputs.front()), console);
+  if (working.IsInput || this->WriteSkeletons)
+  {
+    sourceSkeleton->SetInputData(working.Surface);
+    console.Update(sourceSkeleton, this->Source);
+    this->WriteSkeleton(sourceSkeleton, this->SkeletonFile(this->Source, outputs.front()), console);
+  }
 
   std::vector<std::string> failed;
   for (std::size_t i = 0; i < this->Targets.size(); ++i)
   {
     try
     {
-      this->TransferTo(sourceSkeleton, this->Targets[i], outputs[i], console);
+      this->TransferTo(source, working.IsInput ? sourceSkeleton.Get() : nullptr, this->Targets[i],
+        outputs[i], console);
     }
     catch (const std::exception& error)
     {

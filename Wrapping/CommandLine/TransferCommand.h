@@ -24,7 +24,7 @@ private:
   /// Throws CommandError unless all files can be written, each for one mesh only.
   void RequireFreeNames(const std::vector<std::string>& outputs) const;
 
-  void TransferTo(vtkMSPSkeleton* sourceSkeleton, const std::string& target,
+  void TransferTo(vtkPolyData* source, vtkMSPSkeleton* sourceSkeleton, const std::string& target,
     const std::string& output, Console& console) const;
 
   std::string SkeletonFile(const std::string& mesh, const std::string& besideFile) const;

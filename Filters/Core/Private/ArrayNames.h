@@ -50,6 +50,15 @@ inline constexpr const char* GroupName = "GroupName";
 inline constexpr const char* ObjectName = "ObjectName";
 inline constexpr const char* MaterialName = "MaterialName";
 
+// On the working surface's cells, and on the cells and points of the mesh that it was made of
+inline constexpr const char* BodyId = "BodyId";
+inline constexpr const char* WorkingTriangleId = "WorkingTriangleId";
+inline constexpr const char* WorkingVertexId = "WorkingVertexId";
+
+// On both as a whole (field data), beside the counts of SurfaceReport
+inline constexpr const char* NumberOfOtherCells = "NumberOfOtherCells";
+inline constexpr const char* WorkingSurfaceNote = "WorkingSurfaceNote";
+
 // On boundary cells
 inline constexpr const char* BoundaryId = "BoundaryId";
 }

@@ -17,6 +17,7 @@ _MODULES = (
     "MarrowTransfer",
     "MarrowCorrespondence",
     "MarrowMeasures",
+    "MarrowSurface",
     "MarrowEvaluation",
     "MarrowIO",
     "MarrowCreatures",

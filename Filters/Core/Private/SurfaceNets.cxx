@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <unordered_map>
 
 namespace marrow
@@ -91,6 +92,33 @@ private:
 
   std::vector<double> Values;
 };
+
+/// The blocks near the surface among those from `begin` up to `end`, by halves, so that the room away
+/// from the surface costs next to nothing.
+void FindBlocks(const std::function<double(const Eigen::Vector3d&)>& function,
+  const Eigen::Vector3d& low, double spacing, const Index& begin, const Index& end,
+  std::vector<Block>& active)
+{
+  const Index size = end - begin;
+  const Eigen::Vector3d middle = begin.cast<double>() + 0.5 * size.cast<double>();
+  const double reach = 0.5 * BlockSize * spacing * size.cast<double>().norm() * 1.0001;
+  if (std::abs(function(low + BlockSize * spacing * middle)) > reach)
+  {
+    return;
+  }
+  int axis = 0;
+  if (size.maxCoeff(&axis) == 1)
+  {
+    active.emplace_back(BlockSize * begin);
+    return;
+  }
+  Index half = end;
+  half[axis] = begin[axis] + size[axis] / 2;
+  FindBlocks(function, low, spacing, begin, half, active);
+  half = begin;
+  half[axis] = begin[axis] + size[axis] / 2;
+  FindBlocks(function, low, spacing, half, end, active);
+}
 
 template <typename Visit>
 void ForEachCell(Visit&& visit)
@@ -219,27 +247,16 @@ private:
 TriangleMesh SurfaceNets(const std::function<double(const Eigen::Vector3d&)>& function,
   const Eigen::Vector3d& low, const Eigen::Vector3d& high, double spacing)
 {
-  // The blocks near the surface, in the order of their numbers.
   const Index blocks = ((high - low) / (spacing * BlockSize)).array().floor().cast<int>() + 1;
-  const double reach = 0.5 * std::sqrt(3.0) * BlockSize * spacing * 1.0001;
   std::vector<Block> active;
-  for (int z = 0; z < blocks[2]; ++z)
-  {
-    for (int y = 0; y < blocks[1]; ++y)
+  FindBlocks(function, low, spacing, Index::Zero(), blocks, active);
+  std::sort(active.begin(), active.end(),
+    [](const Block& a, const Block& b)
     {
-      for (int x = 0; x < blocks[0]; ++x)
-      {
-        const Index first = BlockSize * Index(x, y, z);
-        const Eigen::Vector3d corner = low + spacing * first.cast<double>();
-        if (std::abs(function(corner + Eigen::Vector3d::Constant(0.5 * BlockSize * spacing))) >
-          reach)
-        {
-          continue;
-        }
-        active.emplace_back(first);
-      }
-    }
-  }
+      return std::lexicographical_compare(std::make_reverse_iterator(a.First.data() + 3),
+        std::make_reverse_iterator(a.First.data()), std::make_reverse_iterator(b.First.data() + 3),
+        std::make_reverse_iterator(b.First.data()));
+    });
   ParallelFor(0, static_cast<int>(active.size()),
     [&](int begin, int end)
     {
@@ -284,9 +301,16 @@ TriangleMesh SurfaceNets(const std::function<double(const Eigen::Vector3d&)>& fu
           const Index v = Index::Unit((axis + 2) % 3);
           const Index here = block.First + cell;
           auto vertex = [&](const Index& at, int side)
-          { return verticesOfCell.at(Key(at))[4 * axis + side]; };
+          {
+            const auto found = verticesOfCell.find(Key(at));
+            return found != verticesOfCell.end() ? found->second[4 * axis + side] : -1;
+          };
           std::array<int, 4> quad{ vertex(here, 0), vertex(here - u, 1), vertex(here - u - v, 3),
             vertex(here - v, 2) };
+          if (*std::min_element(quad.begin(), quad.end()) < 0)
+          {
+            continue; // left out on the strength of a function that changes too fast
+          }
           if (!inside)
           {
             std::swap(quad[1], quad[3]);

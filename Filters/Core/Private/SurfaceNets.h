@@ -12,7 +12,7 @@ namespace marrow
 /// nets: one vertex in every cell that the surface crosses, a quadrilateral round every grid edge
 /// that it crosses. Chosen before marching cubes as its triangles are even and come in the same
 /// number per area everywhere. `function` must change no faster than distance does: whole blocks
-/// are left out on the strength of their middle. The result is oriented outward and its
+/// are left out on the strength of their middle, and where it does change faster holes may be left. The result is oriented outward and its
 /// connectivity is built; in rare cells, where sheets meet across an ambiguous face on both sides,
 /// it is not manifold.
 TriangleMesh SurfaceNets(const std::function<double(const Eigen::Vector3d&)>& function,
