@@ -15,6 +15,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -82,7 +83,7 @@ void WriteBoundaries(
   marrow::SetArray(output->GetCellData(), "EnclosesBranch", strict);
 }
 
-void WriteLabels(vtkPolyData* target, const std::vector<int>& labels,
+void WriteLabels(vtkPolyData* source, vtkPolyData* target, const std::vector<int>& labels,
   const std::vector<double>& confidence, vtkPolyData* output)
 {
   output->ShallowCopy(target);
@@ -91,6 +92,12 @@ void WriteLabels(vtkPolyData* target, const std::vector<int>& labels,
   // Viewers prefer point scalars to cell scalars.
   output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, confidence);
+  output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
+  if (vtkAbstractArray* names =
+        source->GetFieldData()->GetAbstractArray(marrow::names::SegmentName))
+  {
+    output->GetFieldData()->AddArray(names);
+  }
 }
 
 std::string Join(const std::vector<int>& values)
@@ -211,7 +218,8 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
                     << ".");
   }
 
-  WriteLabels(inputTarget, result.Labels, result.Confidence, vtkPolyData::GetData(outputVector, 0));
+  WriteLabels(source.Mesh, inputTarget, result.Labels, result.Confidence,
+    vtkPolyData::GetData(outputVector, 0));
   WriteBoundaries(result.Boundaries, true, vtkPolyData::GetData(outputVector, 1));
   WriteBoundaries(result.Boundaries, false, vtkPolyData::GetData(outputVector, 2));
   return 1;
@@ -334,7 +342,8 @@ int vtkSegmentationTransfer::TransferBodies(
     ofCells[cell] = ofPolygons[p];
     confidenceOfCells[cell] = confidence[surface.TriangleOfCell(static_cast<int>(p))];
   }
-  WriteLabels(inputs[1], ofCells, confidenceOfCells, vtkPolyData::GetData(outputVector, 0));
+  WriteLabels(
+    inputs[0], inputs[1], ofCells, confidenceOfCells, vtkPolyData::GetData(outputVector, 0));
   for (int side = 0; side < 2; ++side)
   {
     boundaries[side]->Update();
