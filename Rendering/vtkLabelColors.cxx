@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLabelColors.h"
 
+#include "LabelPalette.h"
+
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
@@ -11,43 +13,13 @@
 
 vtkStandardNewMacro(vtkLabelColors);
 
-namespace
-{
-constexpr int NumberOfColors = 24;
-constexpr unsigned char Colors[NumberOfColors][3] = {
-  { 204, 121, 167 }, // reddish purple
-  { 230, 159, 0 },   // orange
-  { 86, 180, 233 },  // sky blue
-  { 240, 228, 66 },  // yellow
-  { 0, 158, 115 },   // bluish green
-  { 213, 94, 0 },    // vermilion
-  { 0, 114, 178 },   // blue
-  { 17, 68, 0 },     // dark green
-  { 68, 17, 153 },   // indigo
-  { 34, 255, 153 },  // mint
-  { 85, 0, 85 },     // plum
-  { 238, 0, 85 },    // crimson
-  { 102, 85, 221 },  // violet
-  { 136, 68, 119 },  // mauve
-  { 187, 238, 102 }, // lime
-  { 85, 0, 119 },    // dark purple
-  { 170, 0, 34 },    // red
-  { 119, 34, 68 },   // wine
-  { 153, 255, 204 }, // pale mint
-  { 68, 119, 68 },   // moss
-  { 187, 238, 255 }, // pale blue
-  { 187, 170, 85 },  // sand
-  { 187, 34, 170 },  // magenta
-  { 170, 136, 255 }  // lavender
-};
-constexpr double NoLabel = 0.8;
-}
-
 void vtkLabelColors::GetColor(vtkIdType label, double rgb[3])
 {
+  const auto& color =
+    label < 0 ? marrow::NoLabelColor : marrow::LabelPalette[label % marrow::LabelPalette.size()];
   for (int k = 0; k < 3; ++k)
   {
-    rgb[k] = label < 0 ? NoLabel : Colors[label % NumberOfColors][k] / 255.0;
+    rgb[k] = color[k] / 255.0;
   }
 }
 
@@ -75,5 +47,5 @@ void vtkLabelColors::FillLookupTable(vtkLookupTable* table, vtkDataArray* labels
 void vtkLabelColors::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfColors: " << NumberOfColors << "\n";
+  os << indent << "NumberOfColors: " << marrow::LabelPalette.size() << "\n";
 }

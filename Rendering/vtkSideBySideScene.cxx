@@ -2,6 +2,7 @@
 #include "vtkSideBySideScene.h"
 
 #include "ArrayNames.h"
+#include "Display.h"
 #include "SceneLinks.h"
 #include "SceneTile.h"
 #include "Supersampling.h"
@@ -65,6 +66,11 @@ vtkSideBySideScene::vtkSideBySideScene()
 vtkSideBySideScene::~vtkSideBySideScene()
 {
   this->SetLabelArrayName(nullptr);
+}
+
+bool vtkSideBySideScene::HasDisplay()
+{
+  return marrow::CanOpenDisplay();
 }
 
 int vtkSideBySideScene::AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton, const char* caption)

@@ -41,6 +41,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Whether there is an X display to draw with, named by the environment variable DISPLAY. Ask before
+   * the first picture: where there is none, VTK ends the program.
+   */
+  static bool HasDisplay();
+
+  /**
    * Adds a tile, from left to right and then row by row, and returns its index, or -1 with an error
    * event where there is no mesh. `skeleton` and `caption` may be null. The skeleton is drawn by
    * vtkSkeletonMapper; it shows where the surface's opacity is less than 1, and can be picked through

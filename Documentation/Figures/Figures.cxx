@@ -10,7 +10,7 @@
 #include <vtkImageAppend.h>
 #include <vtkImageConstantPad.h>
 #include <vtkMSPSkeleton.h>
-#include <vtkOFFReader.h>
+#include <vtkMarrowMeshReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -75,7 +75,7 @@ Data Creature(int shape, int seed, double pose, double proportion, int resolutio
 
 Data ReadMesh(const std::string& folder, const std::string& name)
 {
-  vtkNew<vtkOFFReader> reader;
+  vtkNew<vtkMarrowMeshReader> reader;
   reader->SetFileName((folder + "/" + name + ".off").c_str());
   reader->Update();
   if (reader->GetOutput()->GetNumberOfCells() == 0)

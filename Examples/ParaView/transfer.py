@@ -12,8 +12,8 @@ if "SegmentationTransfer" not in globals():
     sys.exit("Load the plugin: set PV_PLUGIN_PATH to the folder that holds Marrow.so.")
 source_file, segment_file, target_file, picture = sys.argv[1:]
 
-source = SegmentsFromFile(Mesh=OFFReader(FileName=source_file), SegmentFile=segment_file)
-target = OFFReader(FileName=target_file)
+source = SegmentsFromFile(Mesh=MarrowMeshReader(FileName=source_file), SegmentFile=segment_file)
+target = MarrowMeshReader(FileName=target_file)
 transfer = SegmentationTransfer(SourceMesh=source, TargetMesh=target)
 
 views = []

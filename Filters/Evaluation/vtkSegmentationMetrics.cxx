@@ -3,6 +3,7 @@
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "LabelBridge.h"
 #include "MeshBridge.h"
 #include "SegmentationScores.h"
 
@@ -34,19 +35,8 @@ std::string ToSegments(
       " has no such cell array of segments; name one with SetInputArrayToProcess (default "
       "SegmentId).";
   }
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != mesh->GetNumberOfCells())
-  {
-    return "The array of segments of the " + role + " has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
-      std::to_string(array->GetNumberOfComponents()) + " components for " +
-      std::to_string(mesh->GetNumberOfCells()) + " cells; give it one value per cell.";
-  }
-  segments.resize(array->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    segments[i] = static_cast<int>(array->GetComponent(i, 0));
-  }
-  return {};
+  const std::string error = marrow::ToLabels(array, mesh->GetNumberOfCells(), "cell", segments);
+  return error.empty() ? error : "The " + role + ": " + error;
 }
 }
 

@@ -3,6 +3,7 @@
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "LabelBridge.h"
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
 
@@ -215,28 +216,10 @@ std::string ReadLabels(
       known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
     }
     return "Source: the mesh has no cell array \"" + name + "\" of segments; " +
-      (known.empty() ? "it has no cell arrays: read a .seg file with vtkSegmentReader."
+      (known.empty() ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader."
                      : "it has " + known + ": choose one with SetInputArrayToProcess.");
   }
-  const vtkIdType numberOfCells = mesh->GetNumberOfCells();
-  if (array->GetNumberOfTuples() != numberOfCells || array->GetNumberOfComponents() != 1)
-  {
-    return "Source: the array \"" + name + "\" of segments has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
-      std::to_string(array->GetNumberOfComponents()) + " components but the mesh has " +
-      std::to_string(numberOfCells) + " cells: give one integer per cell.";
-  }
-  labels.resize(numberOfCells);
-  for (vtkIdType i = 0; i < numberOfCells; ++i)
-  {
-    const double value = array->GetTuple1(i);
-    labels[i] = static_cast<int>(value);
-    if (static_cast<double>(labels[i]) != value)
-    {
-      return "Source: the array \"" + name + "\" of segments is no integer at cell " +
-        std::to_string(i) + ": give one integer per cell.";
-    }
-  }
-  return {};
+  const std::string error = ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
+  return error.empty() ? error : "Source: " + error;
 }
 }

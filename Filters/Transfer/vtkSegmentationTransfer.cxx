@@ -3,19 +3,24 @@
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "FullResolution.h"
 #include "MatchedSkeletons.h"
 #include "MeshBridge.h"
 #include "SegmentLoops.h"
 #include "SegmentationTransfer.h"
 #include "TransferInputs.h"
+#include "WorkingBodies.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -79,6 +84,39 @@ void WriteBoundaries(
   marrow::SetArray(output->GetCellData(), "EnclosesBranch", strict);
 }
 
+/// What an inner filter complains of, as if the outer one did.
+struct ForwardMessages : vtkCommand
+{
+  static ForwardMessages* New() { return new ForwardMessages; }
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    if (this->Outer->HasObserver(event))
+    {
+      this->Outer->InvokeEvent(event, text);
+    }
+    else if (event == vtkCommand::ErrorEvent)
+    {
+      vtkOutputWindowDisplayErrorText(static_cast<const char*>(text));
+    }
+    else
+    {
+      vtkOutputWindowDisplayWarningText(static_cast<const char*>(text));
+    }
+  }
+  vtkObject* Outer = nullptr;
+};
+
+void WriteLabels(vtkPolyData* target, const std::vector<int>& labels,
+  const std::vector<double>& confidence, vtkPolyData* output)
+{
+  output->ShallowCopy(target);
+  marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, labels);
+  output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
+  // Viewers prefer point scalars to cell scalars.
+  output->GetPointData()->SetActiveScalars(nullptr);
+  marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, confidence);
+}
+
 std::string Join(const std::vector<int>& values)
 {
   std::string text;
@@ -115,6 +153,14 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   if (marrow::IsIdleProcess(outputVector, inputTarget))
   {
     return 1;
+  }
+  if (!vtkPolyData::GetData(inputVector[2]) && !vtkPolyData::GetData(inputVector[3]))
+  {
+    const int done = this->TransferBodies(inputVector, outputVector);
+    if (done >= 0)
+    {
+      return done;
+    }
   }
   marrow::TransferSide source{ "Source", CopyOf(vtkPolyData::GetData(inputVector[0])),
     CopyOf(vtkPolyData::GetData(inputVector[2])) };
@@ -189,15 +235,139 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
                     << ".");
   }
 
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->ShallowCopy(inputTarget);
-  marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, result.Labels);
-  output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
-  // Viewers prefer point scalars to cell scalars.
-  output->GetPointData()->SetActiveScalars(nullptr);
-  marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
+  WriteLabels(inputTarget, result.Labels, result.Confidence, vtkPolyData::GetData(outputVector, 0));
   WriteBoundaries(result.Boundaries, true, vtkPolyData::GetData(outputVector, 1));
   WriteBoundaries(result.Boundaries, false, vtkPolyData::GetData(outputVector, 2));
+  return 1;
+}
+
+int vtkSegmentationTransfer::TransferBodies(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  constexpr double afterSurfaces = 0.1;
+  vtkPolyData* inputs[2] = { vtkPolyData::GetData(inputVector[0]),
+    vtkPolyData::GetData(inputVector[1]) };
+  marrow::WorkingBodies bodies[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    const std::string error = marrow::MakeWorkingBodies(inputs[side], bodies[side],
+      marrow::ProgressOf(this, 0.5 * side * afterSurfaces, 0.5 * (side + 1) * afterSurfaces));
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< (side == 0 ? "Source: " : "Target: ") << error);
+      return 0;
+    }
+    if (marrow::IsAborted(this))
+    {
+      return 1;
+    }
+  }
+  if (bodies[0].Meshes.front() == inputs[0] && bodies[1].Meshes.front() == inputs[1])
+  {
+    return -1;
+  }
+
+  std::vector<int> labels;
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  const std::string error = marrow::ReadLabels(inputs[0],
+    this->GetInputArrayToProcess(0, inputVector), name ? name : marrow::names::SegmentId, labels);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  std::vector<vtkSmartPointer<vtkPolyData>> sources;
+  for (std::size_t b = 0; b < bodies[0].Meshes.size(); ++b)
+  {
+    sources.push_back(CopyOf(bodies[0].Meshes[b]));
+    marrow::SetIntArray(sources.back()->GetCellData(), marrow::names::SegmentId,
+      marrow::LabelsOfBody(bodies[0], static_cast<int>(b), labels));
+  }
+
+  const marrow::WorkingSurface& surface = bodies[1].Surface;
+  std::vector<int> ofTriangles(surface.Mesh.Triangles.size(), 0);
+  std::vector<double> confidence(surface.Mesh.Triangles.size(), 0.0);
+  vtkNew<vtkAppendPolyData> boundaries[2];
+  const double step =
+    (1.0 - afterSurfaces) / static_cast<double>(bodies[1].Meshes.size() * sources.size());
+  double begin = afterSurfaces;
+  for (std::size_t b = 0; b < bodies[1].Meshes.size(); ++b)
+  {
+    // A body takes its segments from the source's body that is most sure of them.
+    vtkSmartPointer<vtkSegmentationTransfer> best;
+    double most = -1.0;
+    for (vtkPolyData* source : sources)
+    {
+      auto inner = vtkSmartPointer<vtkSegmentationTransfer>::New();
+      inner->StrictBoundaries = this->StrictBoundaries;
+      inner->Theta = this->Theta;
+      inner->Kernel = this->Kernel;
+      inner->Lambda = this->Lambda;
+      inner->SearchRegion = this->SearchRegion;
+      inner->SetInputData(0, source);
+      inner->SetInputData(1, bodies[1].Meshes[b]);
+      vtkNew<ForwardMessages> messages;
+      messages->Outer = this;
+      inner->AddObserver(vtkCommand::ErrorEvent, messages);
+      inner->AddObserver(vtkCommand::WarningEvent, messages);
+      marrow::WatchInner(this, inner, begin, begin + step);
+      begin += step;
+      inner->Update();
+      if (marrow::IsAborted(this))
+      {
+        return 1;
+      }
+      vtkDataArray* sure =
+        inner->GetOutput()->GetCellData()->GetArray(marrow::names::SegmentConfidence);
+      double sum = 0.0;
+      for (vtkIdType c = 0; sure && c < sure->GetNumberOfTuples(); ++c)
+      {
+        sum += sure->GetTuple1(c);
+      }
+      if (sure && sum > most)
+      {
+        most = sum;
+        best = inner;
+      }
+    }
+    if (!best)
+    {
+      vtkErrorMacro("The segments could not be transferred: see the message before.");
+      return 0;
+    }
+    vtkCellData* cells = best->GetOutput()->GetCellData();
+    for (std::size_t t = 0; t < bodies[1].TrianglesOfBody[b].size(); ++t)
+    {
+      const vtkIdType cell = static_cast<vtkIdType>(t);
+      const int triangle = bodies[1].TrianglesOfBody[b][t];
+      ofTriangles[triangle] =
+        static_cast<int>(cells->GetArray(marrow::names::SegmentId)->GetTuple1(cell));
+      confidence[triangle] = cells->GetArray(marrow::names::SegmentConfidence)->GetTuple1(cell);
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      boundaries[side]->AddInputData(
+        CopyOf(vtkPolyData::SafeDownCast(best->GetOutputDataObject(1 + side))));
+    }
+  }
+
+  const std::vector<int> ofPolygons =
+    marrow::LabelsOfPolygons(surface, marrow::LabelsAtFullResolution(surface, ofTriangles));
+  // Vertices and lines among the cells are no surface and have no segment.
+  std::vector<int> ofCells(bodies[1].NumberOfCells, -1);
+  std::vector<double> confidenceOfCells(bodies[1].NumberOfCells, 0.0);
+  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
+  {
+    const int cell = bodies[1].CellOfPolygon[p];
+    ofCells[cell] = ofPolygons[p];
+    confidenceOfCells[cell] = confidence[surface.TriangleOfCell(static_cast<int>(p))];
+  }
+  WriteLabels(inputs[1], ofCells, confidenceOfCells, vtkPolyData::GetData(outputVector, 0));
+  for (int side = 0; side < 2; ++side)
+  {
+    boundaries[side]->Update();
+    vtkPolyData::GetData(outputVector, 1 + side)->ShallowCopy(boundaries[side]->GetOutput());
+  }
   return 1;
 }
 

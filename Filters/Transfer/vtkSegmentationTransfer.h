@@ -30,10 +30,14 @@
  * surfaces together no better than their principal axes do (a bust, a machine part), the meshes are
  * aligned as wholes, with a warning and half the confidence (at most 0.1 where nothing is matched).
  *
+ * Any mesh will do where no skeleton is connected: one that is no clean manifold of triangles, or finer
+ * than needed, is carried over by its working surface (vtkWorkingSurface), body by body, and the segments
+ * go back to the cells of the input, each and in order. Vertex and line cells get the segment -1.
+ *
  * Ports in:
- * - 0, source mesh: triangles; the segments are the cell array "SegmentId" (any integers), or that
+ * - 0, source mesh: polygons; the segments are the cell array "SegmentId" (any integers), or that
  *   set by SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name);
- * - 1, target mesh: triangles;
+ * - 1, target mesh: polygons;
  * - 2, source skeleton (optional), 3, target skeleton (optional), of vtkMSPSkeleton or the like. A
  *   mesh whose skeleton is connected must have the point array SkeletonNodeId (vtkIdType) of that
  *   skeleton. Without a skeleton, vtkMSPSkeleton is run with its defaults.
@@ -153,6 +157,10 @@ protected:
 private:
   vtkSegmentationTransfer(const vtkSegmentationTransfer&) = delete;
   void operator=(const vtkSegmentationTransfer&) = delete;
+
+  /// Transfers body by body over the working surfaces. -1 if both meshes are one body that needs no
+  /// mending: then there is nothing to do but the transfer itself.
+  int TransferBodies(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   bool StrictBoundaries = false;
   double Theta = 1.5;

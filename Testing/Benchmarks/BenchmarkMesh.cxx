@@ -3,7 +3,7 @@
 
 #include "MeshBridge.h"
 #include "vtkCreatureSource.h"
-#include "vtkOFFReader.h"
+#include "vtkMarrowMeshReader.h"
 
 #include <vtkNew.h>
 #include <vtkQuadricDecimation.h>
@@ -18,7 +18,7 @@ namespace
 {
 vtkSmartPointer<vtkPolyData> Reduced(const char* fileName, int faces)
 {
-  vtkNew<vtkOFFReader> reader;
+  vtkNew<vtkMarrowMeshReader> reader;
   reader->SetFileName(fileName);
   reader->Update();
   const double size = static_cast<double>(reader->GetOutput()->GetNumberOfPolys());

@@ -87,7 +87,7 @@ TEST_F(EvaluateCommand, JsonHasNullForWhatIsUndefined)
 TEST_F(EvaluateCommand, ErrorsNameTheFile)
 {
   EXPECT_NE(this->Run("mesh.off --reference right.seg", false)
-              .find("mesh.off: the mesh has no cell array SegmentId; name a file with --segments."),
+              .find("mesh.off: the mesh has no labels \"SegmentId\", nor others: name a .seg file"),
     std::string::npos);
   this->Write("short.seg", "1\n2\n");
   EXPECT_NE(

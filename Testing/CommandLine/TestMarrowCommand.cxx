@@ -4,6 +4,7 @@
 #include <vtkCreatureSource.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMarrowSegmentWriter.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
 #include <vtkPLYWriter.h>
@@ -12,7 +13,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSTLWriter.h>
-#include <vtkSegmentWriter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -235,7 +235,7 @@ TEST_F(MarrowCommand, TransferToOneTargetWritesAFile)
 {
   this->WriteOFF(Creature(1), "source.off");
   this->WriteOFF(Creature(2), "target.off");
-  this->Write<vtkSegmentWriter>(Creature(1), "source.seg");
+  this->Write<vtkMarrowSegmentWriter>(Creature(1), "source.seg");
   this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.seg");
   this->ExpectSuccess("transfer source.off target.off --segments source.seg -o out.vtp");
   const vtkSmartPointer<vtkPolyData> labelled = this->Read("out.vtp");
@@ -268,6 +268,113 @@ TEST_F(MarrowCommand, TransferToSeveralTargetsFillsAFolder)
   this->ExpectSuccess("transfer source.vtp one.off two.off -o labels --format seg");
   EXPECT_TRUE(fs::exists(this->Folder / "labels/one.seg"));
   EXPECT_TRUE(fs::exists(this->Folder / "labels/two.seg"));
+}
+
+TEST_F(MarrowCommand, TransferWritesSegmentsInEveryFormat)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "target.off");
+  this->ExpectSuccess("transfer source.vtp target.off -o target.seg");
+  for (const auto& [format, labels] : { std::pair<std::string, std::string>{ "ply", "SegmentId" },
+         { "obj", "groups" }, { "off", "colors" }, { "vtk", "SegmentId" } })
+  {
+    this->ExpectSuccess("transfer source.vtp target.off -o " + format + " --format " + format);
+    const Outcome outcome = this->Run("evaluate target.off --segments " + format + "/target." +
+      format + " --labels " + labels + " --reference target.seg --csv");
+    EXPECT_NE(outcome.Out.find("target.seg,0,0,0,0,0,0,0,1,0"), std::string::npos)
+      << format << outcome.Out << outcome.Error;
+  }
+}
+
+TEST_F(MarrowCommand, TransferTakesTheLabelsOfAnotherFile)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
+  this->WriteOFF(mesh, "source.off");
+  this->WriteOFF(Creature(2), "target.off");
+  this->Write<vtkXMLPolyDataWriter>(mesh, "source.vtp");
+  mesh->GetCellData()->GetArray("SegmentId")->SetName("part");
+  this->Write<vtkPolyDataWriter>(mesh, "labels.vtk");
+  this->ExpectSuccess("transfer source.vtp target.off -o one.seg");
+  this->ExpectSuccess(
+    "transfer source.off target.off --segments labels.vtk --labels part -o two.seg");
+  EXPECT_EQ(Content(this->Folder / "one.seg"), Content(this->Folder / "two.seg"));
+  this->ExpectError("transfer labels.vtk target.off -o out.seg",
+    "labels.vtk: the mesh has no labels \"SegmentId\"; it has \"part\", ");
+  this->WriteText("large.ply",
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nproperty int64 part\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 4294967296\n");
+  this->ExpectError("transfer large.ply target.off --labels part -o out.seg",
+    "large.ply: the array \"part\" of segments is 4294967296 at cell 0, beyond the range");
+  this->ExpectError("transfer source.off target.off --segments large.ply --labels part -o out.seg",
+    "large.ply: the array");
+}
+
+TEST_F(MarrowCommand, OneBadTargetOfManyDoesNotStopTheOthers)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "good.off");
+  this->WriteText("bad.off", "OFF\n3 1 0\n0 0 0\n");
+  const Outcome outcome =
+    this->Run("--quiet transfer source.vtp bad.off absent.ply good.off -o out");
+  EXPECT_EQ(outcome.ExitCode, 1);
+  std::istringstream lines(outcome.Error);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_NE(line.find("\"bad.off\" is not a valid OFF file: it ends after 1 of 3 vertices."),
+    std::string::npos)
+    << line;
+  std::getline(lines, line);
+  EXPECT_NE(line.find("Cannot read \"absent.ply\": No such file"), std::string::npos) << line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "marrow: 1 of 3 done; 2 failed: bad.off, absent.ply");
+  EXPECT_FALSE(std::getline(lines, line)) << line;
+  EXPECT_TRUE(this->Read("out/good.vtp")->GetCellData()->HasArray("SegmentId"));
+  EXPECT_FALSE(fs::exists(this->Folder / "out/bad.vtp"));
+}
+
+TEST_F(MarrowCommand, OutputsAreCheckedBeforeAnythingIsComputed)
+{
+  // The source would be an error too, but only after the outputs.
+  fs::create_directories(this->Folder / "out/one.vtp");
+  this->ExpectError(
+    "transfer absent.off one.off two.off -o out", "one.vtp: the file cannot be written");
+  this->ExpectError("transfer absent.off one.off one_skeleton.off -o new --skeletons",
+    "would both be written to new/one_skeleton.vtp");
+  this->WriteText("file", "");
+  this->ExpectError(
+    "transfer absent.off one.off two.off -o file", "file: the folder cannot be made");
+  for (const std::string command : { "measure absent.off -o ", "skeleton absent.off -o ",
+         "correspond absent.off absent.off -o absent/" })
+  {
+    this->ExpectError(
+      command + "absent/x.vtp", command[0] == 'c' ? ".csv" : "there is no folder absent");
+  }
+}
+
+TEST_F(MarrowCommand, AFullDiskIsAnErrorEverywhere)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "target.off");
+  for (const char* ending : { ".vtp", ".vtk", ".ply", ".obj", ".off", ".seg", ".csv", ".png" })
+  {
+    fs::create_symlink("/dev/full", this->Folder / (std::string("full") + ending));
+  }
+  for (const std::string ending : { "vtp", "vtk", "ply", "obj", "off", "seg" })
+  {
+    this->ExpectError("--quiet transfer source.vtp target.off -o full." + ending, "No space left");
+  }
+  this->ExpectError("--quiet measure target.off -o full.vtp", "No space left");
+  this->ExpectError("--quiet skeleton target.off -o full.vtk", "No space left");
+  this->ExpectError("--quiet correspond source.vtp target.off -o full.csv", "No space left");
+  this->ExpectError("--quiet render target.off --tile 60 40 -o full.png", "full.png");
+  this->WriteText(
+    "run.sh", "'" MARROW_COMMAND "' evaluate source.vtp --reference source.vtp > /dev/full\n");
+  const int status =
+    std::system(("cd '" + this->Folder.string() + "' && sh run.sh 2>stderr.txt").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_NE(Content(this->Folder / "stderr.txt").find("standard output"), std::string::npos);
 }
 
 TEST_F(MarrowCommand, ThreadsDoNotChangeTheResult)
@@ -324,14 +431,14 @@ TEST_F(MarrowCommand, ErrorsOfArgumentsAndFilesAreOneSentence)
 
   this->ExpectError("", "subcommand");
   this->ExpectError("measure mesh.off", "--output is required");
-  this->ExpectError("measure absent.off -o out.vtp", "absent.off: there is no such file");
-  this->ExpectError("measure mesh.abc -o out.vtp", "must end in .off, .ply, .obj, .stl, .vtp or");
+  this->ExpectError("measure absent.off -o out.vtp", "Cannot read \"absent.off\": No such file");
+  this->ExpectError("measure mesh.abc -o out.vtp", "must end in .off, .ply, .obj, .stl, .vtp, ");
   this->ExpectError("measure mesh.off -o out.ply", "out.ply: the name must end in .vtp or .vtk");
   this->ExpectError("measure mesh.off -o absent/out.vtp", "there is no folder absent");
   this->ExpectError("measure mesh.off -o out.vtp --threads 0", "--threads");
-  this->ExpectError("transfer mesh.off mesh.off -o out.seg", "no cell array SegmentId");
-  this->ExpectError(
-    "transfer labelled.vtp mesh.off other/mesh.off -o out", "two targets of that name");
+  this->ExpectError("transfer mesh.off mesh.off -o out.seg", "no labels \"SegmentId\"");
+  this->ExpectError("transfer labelled.vtp mesh.off other/mesh.off -o out",
+    "would both be written to out/mesh.vtp");
   this->ExpectError("render mesh.off -o out.jpg", "must end in .png");
 }
 
@@ -340,13 +447,9 @@ TEST_F(MarrowCommand, ErrorsOfFiltersAndReadersAreOneSentence)
   this->WriteText("broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   this->WriteText("empty.off", "OFF\n0 0 0\n");
   this->WriteText("broken.vtp", "<VTKFile type=\"PolyData\"");
-  // Three triangles at one edge.
-  this->WriteText(
-    "fins.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
   this->ExpectError("measure broken.off -o out.vtp", "broken.off");
   this->ExpectError("measure empty.off -o out.vtp", "empty.off");
   this->ExpectError("measure broken.vtp -o out.vtp", "broken.vtp");
-  this->ExpectError("measure fins.off -o out.vtp", "more than two triangles");
   EXPECT_FALSE(fs::exists(this->Folder / "out.vtp"));
 
   const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
@@ -359,5 +462,7 @@ TEST_F(MarrowCommand, WithoutDisplayRenderSaysSoInsteadOfAborting)
 {
   this->WriteOFF(Creature(1), "mesh.off");
   ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  this->ExpectError("render mesh.off -o out.png", "no X display");
+  ASSERT_EQ(setenv("DISPLAY", ":987", 1), 0);
   this->ExpectError("render mesh.off -o out.png", "no X display");
 }

@@ -2,10 +2,10 @@
 // The program of Filters/README.md.
 //   StagesByHand SOURCE.off SOURCE.seg TARGET.off TARGET.seg REFERENCE.seg
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowMeshReader.h>
+#include <vtkMarrowSegmentReader.h>
+#include <vtkMarrowSegmentWriter.h>
 #include <vtkNew.h>
-#include <vtkOFFReader.h>
-#include <vtkSegmentReader.h>
-#include <vtkSegmentWriter.h>
 #include <vtkSegmentationMetrics.h>
 #include <vtkSegmentationTransfer.h>
 #include <vtkSkeletonCorrespondence.h>
@@ -18,12 +18,12 @@ int main(int argc, char* argv[])
   {
     return 2;
   }
-  vtkNew<vtkOFFReader> sourceMesh;
+  vtkNew<vtkMarrowMeshReader> sourceMesh;
   sourceMesh->SetFileName(argv[1]);
-  vtkNew<vtkSegmentReader> source; // the mesh with SegmentId on its cells
+  vtkNew<vtkMarrowSegmentReader> source; // the mesh with SegmentId on its cells
   source->SetInputConnection(sourceMesh->GetOutputPort());
   source->SetFileName(argv[2]);
-  vtkNew<vtkOFFReader> target;
+  vtkNew<vtkMarrowMeshReader> target;
   target->SetFileName(argv[3]);
 
   vtkNew<vtkMSPSkeleton> sourceSkeleton; // runs vtkMSPField itself, as its measures are missing
@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
   transfer->SetInputConnection(2, match->GetOutputPort(0));
   transfer->SetInputConnection(3, match->GetOutputPort(1));
 
-  vtkNew<vtkSegmentWriter> writer;
+  vtkNew<vtkMarrowSegmentWriter> writer;
   writer->SetInputConnection(transfer->GetOutputPort());
   writer->SetFileName(argv[4]);
   if (!writer->Write())
@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
     return 1;
   }
 
-  vtkNew<vtkSegmentReader> reference;
+  vtkNew<vtkMarrowSegmentReader> reference;
   reference->SetInputConnection(target->GetOutputPort());
   reference->SetFileName(argv[5]);
   vtkNew<vtkSegmentationMetrics> metrics;

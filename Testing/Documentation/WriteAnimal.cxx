@@ -2,9 +2,9 @@
 // Writes a small quadruped and its segments:
 //   WriteAnimal MESH.off SEGMENTS.seg
 #include <vtkCreatureSource.h>
+#include <vtkMarrowSegmentWriter.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSegmentWriter.h>
 
 #include <fstream>
 
@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     file << "3 " << corners[0] << ' ' << corners[1] << ' ' << corners[2] << '\n';
   }
 
-  vtkNew<vtkSegmentWriter> segments;
+  vtkNew<vtkMarrowSegmentWriter> segments;
   segments->SetInputConnection(creature->GetOutputPort());
   segments->SetFileName(argv[2]);
   return file.flush() && segments->Write() ? 0 : 1;

@@ -275,7 +275,8 @@ TEST(SegmentationMetrics, ErrorsSayWhatIsWrong)
   errors.Clear();
   metrics->SetInputData(1, Segmented(mesh, { 1, 2, 3 }));
   metrics->Update();
-  EXPECT_TRUE(errors.HasError("3 tuples of 1 components for 8 cells")) << errors.Text();
+  EXPECT_TRUE(errors.HasError("3 tuples of 1 components but the mesh has 8 cells"))
+    << errors.Text();
 
   errors.Clear();
   const TriangleMesh flat = Scaled(mesh, 0.0);

@@ -11,7 +11,7 @@ from paraview import servermanager
 import plugin
 from plugin import expect, expect_equal
 
-MODULES = ("Correspondence", "Evaluation", "Measures", "Rendering", "Skeleton", "Sources", "Transfer")
+MODULES = ("Correspondence", "Creatures", "Evaluation", "IO", "Measures", "Rendering", "Skeleton", "Surface", "Transfer")
 MOST_AT_FIRST = 5
 # Not for a user of a panel: what a reader of a file or a window needs.
 HIDDEN = {"FileName"}
@@ -150,7 +150,7 @@ def main():
         for group in ElementTree.parse(file_name).getroot().findall("ProxyGroup"):
             for element in group:
                 seen.append(check_proxy(group.get("name"), element, known[element.get("class")]))
-    expect_equal(len(seen), 10, "number of proxies")
+    expect_equal(len(seen), 12, "number of proxies")
     print("Checked: " + ", ".join(seen))
     plugin.finish()
 

@@ -62,7 +62,7 @@ off = write("tetrahedron.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
             "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
 mesh = simple.OpenDataFile(off)
 expect(mesh is not None, "no reader opens an OFF file")
-expect_equal(mesh.SMProxy.GetXMLName(), "OFFReader", "reader of an OFF file")
+expect_equal(mesh.SMProxy.GetXMLName(), "MarrowMeshReader", "reader of an OFF file")
 data = fetch(mesh)
 expect_equal((data.GetNumberOfPoints(), data.GetNumberOfCells()), (4, 4), "points and triangles")
 expect_equal(data.GetPoint(3), (0.0, 0.0, 1.0), "last point")

@@ -39,6 +39,22 @@ class TestFiles(unittest.TestCase):
             np.testing.assert_array_equal(again.faces, mesh.faces)
             np.testing.assert_array_equal(again.segments, mesh.segments)
 
+    def test_labels_of_any_name(self):
+        mesh = marrow.creature("snake")
+        for ending, labels in ((".ply", "SegmentId"), (".obj", "groups"), (".off", "colors")):
+            path = self.folder / ("snake" + ending)
+            marrow.write(mesh, path)
+            again = marrow.read(path, segments=labels)
+            np.testing.assert_array_equal(again.points, mesh.points)
+            np.testing.assert_array_equal(again.segments, mesh.segments)
+        with self.assertRaisesRegex(marrow.Error, 'snake.obj: .*no labels "part"; it has "groups"'):
+            marrow.read(self.folder / "snake.obj", segments="part")
+
+    def test_full_disk(self):
+        os.symlink("/dev/full", self.folder / "full.vtp")
+        with self.assertRaisesRegex(marrow.Error, "No space left"):
+            marrow.write(tetrahedron(), self.folder / "full.vtp")
+
     def test_segments_alone(self):
         path = self.folder / "mesh.seg"
         marrow.write(tetrahedron(), path, segments=[7, -1, 7, 2])
@@ -69,8 +85,8 @@ class TestFiles(unittest.TestCase):
             marrow.read(self.folder / "folder.off")
         with self.assertRaisesRegex(marrow.Error, "must end in one of .off, .ply"):
             marrow.read(self.folder / "mesh.txt")
-        with self.assertRaisesRegex(marrow.Error, "must end in one of .vtp, .vtk, .seg"):
-            marrow.write(tetrahedron(), self.folder / "mesh.off")
+        with self.assertRaisesRegex(marrow.Error, "must end in one of .off, .ply, .obj, .vtp, .vtk, .seg"):
+            marrow.write(tetrahedron(), self.folder / "mesh.stl")
         with self.assertRaises(FileNotFoundError):
             marrow.write(tetrahedron(), self.folder / "absent" / "mesh.vtp")
         (self.folder / "short.seg").write_text("3\n1\n")

@@ -88,15 +88,16 @@ class TestPicture(unittest.TestCase):
 
     def test_without_a_display(self):
         # VTK would end the process.
-        environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+        without = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
         script = (
             "import marrow\n"
             "try: marrow.render(marrow.creature('snake', resolution=5000))\n"
             "except marrow.Error as error: print(error)"
         )
-        done = subprocess.run([sys.executable, "-c", script], env=environment, text=True,
-                              capture_output=True, check=True)
-        self.assertIn("no X display", done.stdout)
+        for environment in (without, {**without, "DISPLAY": ":987"}):
+            done = subprocess.run([sys.executable, "-c", script], env=environment, text=True,
+                                  capture_output=True, check=True)
+            self.assertIn("no X display", done.stdout)
 
 
 if __name__ == "__main__":

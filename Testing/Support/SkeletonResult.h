@@ -14,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-/// What holds of every filter that makes a skeleton. Link Marrow::Measures, Marrow::Sources,
+/// What holds of every filter that makes a skeleton. Link Marrow::Measures, Marrow::Creatures,
 /// Marrow::Core and VTK::FiltersCore.
 namespace marrow::test
 {

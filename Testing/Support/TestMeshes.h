@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <vector>
 
-/// Meshes and skeletons as vtkPolyData. Link Marrow::Sources and Marrow::Core.
+/// Meshes and skeletons as vtkPolyData. Link Marrow::Creatures and Marrow::Core.
 namespace marrow::test
 {
 inline vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleMesh& mesh)

@@ -93,3 +93,16 @@ void Console::ThrowIfError(const std::string& title)
     }
   }
 }
+
+void Console::ShowError(const std::exception& error)
+{
+  std::cerr << "marrow: " << error.what() << std::endl;
+}
+
+void Console::ShowNote(const std::string& title, const std::string& text) const
+{
+  if (!this->Quiet)
+  {
+    std::cerr << "marrow: note: " << title << ": " << text << "." << std::endl;
+  }
+}

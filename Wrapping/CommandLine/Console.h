@@ -4,6 +4,7 @@
 
 #include <vtkNew.h>
 
+#include <exception>
 #include <string>
 
 class ErrorRecorder;
@@ -32,6 +33,12 @@ public:
   /// Throws CommandError if a VTK object has reported an error since the last call. For classes
   /// that are no algorithms or whose work begins elsewhere than in Update(), such as writers.
   void ThrowIfError(const std::string& title);
+
+  /// Tells what was done to the file beside its task, unless quiet.
+  void ShowNote(const std::string& title, const std::string& text) const;
+
+  /// Tells of what ends the program, or one of many tasks.
+  static void ShowError(const std::exception& error);
 
 private:
   vtkNew<ErrorRecorder> Recorder;

@@ -11,8 +11,8 @@
 #include <vtkPolyData.h>
 #include <vtkSkeletonCorrespondence.h>
 
-#include <fstream>
 #include <map>
+#include <sstream>
 
 namespace
 {
@@ -70,16 +70,19 @@ CLI::App* CorrespondCommand::Declare(CLI::App& marrow)
 void CorrespondCommand::Run(Console& console)
 {
   files::RequireExtension(this->Output, { ".csv" });
+  files::RequireWritable(this->Output);
   for (const std::string& skeleton : this->Skeletons)
   {
     files::RequireExtension(skeleton, { ".vtp" });
     files::RequireWritable(skeleton);
   }
   vtkNew<vtkMSPSkeleton> source;
-  source->SetInputData(files::ReadMesh(this->Source, console));
+  source->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Source, console), this->Source, console).Surface);
   console.Update(source, this->Source);
   vtkNew<vtkMSPSkeleton> target;
-  target->SetInputData(files::ReadMesh(this->Target, console));
+  target->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Target, console), this->Target, console).Surface);
   console.Update(target, this->Target);
 
   vtkNew<vtkSkeletonCorrespondence> correspondence;
@@ -92,15 +95,16 @@ void CorrespondCommand::Run(Console& console)
 
   auto* matchedSource = vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(0));
   auto* matchedTarget = vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(1));
-  std::ofstream table = files::Create(this->Output);
+  std::ostringstream table;
   table << "Kind,CorrespondenceId,Source,Target\n";
   WritePairs(table, "node", matchedSource->GetPointData()->GetArray("CorrespondenceId"),
     matchedTarget->GetPointData()->GetArray("CorrespondenceId"));
   WritePairs(table, "branch", matchedSource->GetCellData()->GetArray("BranchCorrespondenceId"),
     matchedTarget->GetCellData()->GetArray("BranchCorrespondenceId"));
+  files::WriteText(this->Output, table.str());
   if (!this->Skeletons.empty())
   {
-    files::WritePolyData(matchedSource, this->Skeletons[0], console);
-    files::WritePolyData(matchedTarget, this->Skeletons[1], console);
+    files::Write(matchedSource, this->Skeletons[0], console);
+    files::Write(matchedTarget, this->Skeletons[1], console);
   }
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EvaluateCommand.h"
 
-#include "CommandError.h"
 #include "Console.h"
 #include "MeshFiles.h"
 
-#include <vtkCellData.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationMetrics.h>
 #include <vtkTable.h>
@@ -45,12 +43,19 @@ CLI::App* EvaluateCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app = marrow.add_subcommand(
     "evaluate", "Compare segments with one or several references, and average over them");
-  app->add_option("mesh", this->Mesh, "The mesh (.off .ply .obj .stl .vtp .vtk)")->required();
-  app->add_option("--segments", this->Segments,
-    "Segments to judge: .seg, or .vtp .vtk with the cell array SegmentId; without it the mesh must "
-    "hold SegmentId");
+  app->add_option("mesh", this->Mesh, "The mesh (" + files::ReadableMeshes() + ")")->required();
+  app->add_option("--segments", this->Segments.File,
+    "Segments to judge: a .seg file or a mesh of the same faces; without it the mesh holds them");
+  app
+    ->add_option("--labels", this->Segments.Labels,
+      "What in the mesh that holds them the segments are: the name of an array of cells or points "
+      "or "
+      "of a face property, or groups, objects, materials or colors")
+    ->capture_default_str();
   app->add_option("--reference", this->References, "What they are held against: the same formats")
     ->required();
+  app->add_option("--reference-labels", this->ReferenceLabels, "As --labels, in the references")
+    ->capture_default_str();
   CLI::Option* json = app->add_flag("--json", this->Json, "Print JSON");
   app->add_flag("--csv", this->Csv, "Print CSV")->excludes(json);
   app->footer(
@@ -65,22 +70,14 @@ CLI::App* EvaluateCommand::Declare(CLI::App& marrow)
 
 void EvaluateCommand::Run(Console& console)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = files::ReadMesh(this->Mesh, console);
-  vtkSmartPointer<vtkPolyData> segmented = mesh;
-  if (!this->Segments.empty())
-  {
-    segmented = Segmented(mesh, this->Segments, console);
-  }
-  else if (!mesh->GetCellData()->HasArray("SegmentId"))
-  {
-    throw CommandError(
-      this->Mesh + ": the mesh has no cell array SegmentId; name a file with --segments.");
-  }
-
+  const vtkSmartPointer<vtkPolyData> segmented =
+    files::ReadSegmented(this->Mesh, this->Segments, console);
   std::vector<Row> rows;
   for (const std::string& path : this->References)
   {
-    rows.push_back(this->Compare(segmented, Segmented(mesh, path, console), path, console));
+    const vtkSmartPointer<vtkPolyData> reference =
+      files::ReadSegmented(this->Mesh, { path, this->ReferenceLabels }, console);
+    rows.push_back(this->Compare(segmented, reference, path, console));
   }
   rows.push_back(this->Mean(rows));
   if (this->Json)
@@ -95,22 +92,6 @@ void EvaluateCommand::Run(Console& console)
   {
     this->PrintTable(rows);
   }
-}
-
-vtkSmartPointer<vtkPolyData> EvaluateCommand::Segmented(
-  vtkPolyData* mesh, const std::string& path, Console& console)
-{
-  const std::string extension = files::Extension(path);
-  if (extension != ".vtp" && extension != ".vtk")
-  {
-    return files::ReadSegments(mesh, path, console);
-  }
-  vtkSmartPointer<vtkPolyData> segmented = files::ReadPolyData(path, console);
-  if (!segmented->GetCellData()->HasArray("SegmentId"))
-  {
-    throw CommandError(path + ": the mesh has no cell array SegmentId.");
-  }
-  return segmented;
 }
 
 EvaluateCommand::Row EvaluateCommand::Compare(

@@ -3,8 +3,7 @@
 #define marrow_EvaluateCommand_h
 
 #include "Command.h"
-
-#include <vtkSmartPointer.h>
+#include "MeshFiles.h"
 
 #include <string>
 #include <vector>
@@ -27,10 +26,6 @@ private:
     std::vector<double> Values; ///< in the order of Names
   };
 
-  /// The mesh with the segments of a .seg file, or of a .vtp or .vtk file that holds SegmentId.
-  static vtkSmartPointer<vtkPolyData> Segmented(
-    vtkPolyData* mesh, const std::string& path, Console& console);
-
   Row Compare(
     vtkPolyData* segmented, vtkPolyData* reference, const std::string& path, Console& console);
   Row Mean(const std::vector<Row>& rows) const;
@@ -39,8 +34,9 @@ private:
   void PrintJson(const std::vector<Row>& rows) const;
 
   std::string Mesh;
-  std::string Segments;
+  files::SegmentSource Segments;
   std::vector<std::string> References;
+  std::string ReferenceLabels = files::SegmentSource().Labels;
   bool Json = false;
   bool Csv = false;
   std::vector<std::string> Names; ///< of the measures

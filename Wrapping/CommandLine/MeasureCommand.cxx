@@ -11,7 +11,7 @@ CLI::App* MeasureCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app = marrow.add_subcommand(
     "measure", "Measure a mesh: AGD, MSP with its slices, MSP gradient, dihedral angle");
-  app->add_option("mesh", this->Mesh, "Mesh to measure (.off .ply .obj .stl .vtp .vtk)")
+  app->add_option("mesh", this->Mesh, "Mesh to measure (" + files::ReadableMeshes() + ")")
     ->required();
   app->add_option("-o,--output", this->Output, "The mesh with the measures (.vtp .vtk)")
     ->required();
@@ -22,8 +22,10 @@ CLI::App* MeasureCommand::Declare(CLI::App& marrow)
 void MeasureCommand::Run(Console& console)
 {
   files::RequireExtension(this->Output, { ".vtp", ".vtk" });
+  files::RequireWritable(this->Output);
   vtkNew<vtkMSPField> measure;
-  measure->SetInputData(files::ReadMesh(this->Mesh, console));
+  measure->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Mesh, console), this->Mesh, console).Surface);
   console.Update(measure, this->Mesh);
-  files::WritePolyData(measure->GetOutput(), this->Output, console);
+  files::Write(measure->GetOutput(), this->Output, console);
 }

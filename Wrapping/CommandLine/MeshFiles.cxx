@@ -4,28 +4,52 @@
 #include "CommandError.h"
 #include "Console.h"
 
-#include <vtkCleanPolyData.h>
-#include <vtkOBJReader.h>
-#include <vtkOFFReader.h>
-#include <vtkPLYReader.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkMarrowMeshReader.h>
+#include <vtkMarrowMeshWriter.h>
+#include <vtkMarrowSegmentReader.h>
+#include <vtkMarrowSegmentSelector.h>
+#include <vtkMarrowSegmentWriter.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
-#include <vtkPolyDataWriter.h>
-#include <vtkSTLReader.h>
-#include <vtkSegmentReader.h>
-#include <vtkSegmentWriter.h>
-#include <vtkTriangleFilter.h>
+#include <vtkWorkingSurface.h>
 #include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace files
 {
 namespace
 {
+std::vector<std::string> Words(const std::string& text)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+bool IsSegmentFile(const std::string& path)
+{
+  const std::vector<std::string> endings = Words(vtkMarrowSegmentReader::GetFileExtensions());
+  return std::any_of(endings.begin(), endings.end(),
+    [&path](const std::string& ending)
+    {
+      return path.size() >= ending.size() &&
+        path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+    });
+}
+
 void RequireReadable(const std::string& path)
 {
   if (!std::filesystem::exists(path))
@@ -38,48 +62,48 @@ void RequireReadable(const std::string& path)
   }
 }
 
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> Read(const std::string& path, Console& console)
+/// A mesh of polygons, a face of the file each.
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, Console& console)
 {
-  vtkNew<Reader> reader;
+  vtkNew<vtkMarrowMeshReader> reader;
   reader->SetFileName(path.c_str());
   console.Update(reader, path);
   return reader->GetOutput();
 }
 
-/// Keeps triangles that collapse: the check of the mesh names them, silence would renumber the
-/// rest.
-vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* mesh)
+vtkSmartPointer<vtkPolyData> SelectSegments(
+  vtkPolyData* mesh, const std::string& path, const std::string& labels, Console& console)
 {
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(mesh);
-  clean->SetTolerance(0.0);
-  clean->ConvertLinesToPointsOff();
-  clean->ConvertPolysToLinesOff();
-  clean->ConvertStripsToPolysOff();
-  clean->Update();
-  return clean->GetOutput();
+  vtkNew<vtkMarrowSegmentSelector> selector;
+  selector->SetInputData(mesh);
+  selector->SetLabels(labels.c_str());
+  console.Update(selector, path);
+  return selector->GetOutput();
 }
 
-/// Leaves a mesh of nothing but triangles untouched, and so its degenerate triangles too.
-vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* mesh)
+/// The mesh with the segments of another of the same faces.
+vtkSmartPointer<vtkPolyData> WithSegmentsOf(vtkPolyData* mesh, const std::string& path,
+  vtkPolyData* segmented, const std::string& segmentedPath)
 {
-  const bool triangles = mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0 &&
-    mesh->GetNumberOfStrips() == 0 && mesh->GetPolys()->IsHomogeneous() == 3;
-  if (triangles)
+  if (segmented->GetNumberOfCells() != mesh->GetNumberOfCells())
   {
-    return mesh;
+    throw CommandError(segmentedPath + ": it has " + std::to_string(segmented->GetNumberOfCells()) +
+      " faces but " + path + " has " + std::to_string(mesh->GetNumberOfCells()) +
+      "; use the file that belongs to this mesh.");
   }
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(mesh);
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
-  triangulate->Update();
-  return triangulate->GetOutput();
+  auto labelled = vtkSmartPointer<vtkPolyData>::New();
+  labelled->ShallowCopy(mesh);
+  labelled->GetCellData()->AddArray(segmented->GetCellData()->GetArray("SegmentId"));
+  if (vtkAbstractArray* names = segmented->GetFieldData()->GetAbstractArray("SegmentName"))
+  {
+    labelled->GetFieldData()->AddArray(names);
+  }
+  return labelled;
 }
 
-void Write(vtkWriter* writer, const std::string& path, Console& console)
+void WriteWith(vtkWriter* writer, vtkPolyData* data, const std::string& path, Console& console)
 {
+  writer->SetInputData(data);
   writer->Write();
   console.ThrowIfError(path);
 }
@@ -87,34 +111,47 @@ void Write(vtkWriter* writer, const std::string& path, Console& console)
 
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console)
 {
-  RequireExtension(path, { ".off", ".ply", ".obj", ".stl", ".vtp", ".vtk" });
-  RequireReadable(path);
-  const std::string extension = Extension(path);
-  vtkSmartPointer<vtkPolyData> mesh;
-  if (extension == ".off")
+  return ReadSurface(path, console);
+}
+
+WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console)
+{
+  vtkNew<vtkWorkingSurface> working;
+  working->SetInputData(mesh);
+  console.Update(working, path);
+  vtkPolyData* surface = working->GetOutput();
+  const std::string done =
+    surface->GetFieldData()->GetAbstractArray("WorkingSurfaceNote")->GetVariantValue(0).ToString();
+  if (!done.empty())
   {
-    mesh = Read<vtkOFFReader>(path, console);
+    console.ShowNote(path, done);
   }
-  else if (extension == ".ply")
+  const double* bodies = surface->GetCellData()->GetArray("BodyId")->GetRange();
+  const bool isInput = done.empty() && bodies[1] == 0.0;
+  return { isInput ? mesh : surface, isInput };
+}
+
+vtkSmartPointer<vtkPolyData> ReadSegmented(
+  const std::string& path, const SegmentSource& segments, Console& console)
+{
+  vtkSmartPointer<vtkPolyData> mesh = ReadSurface(path, console);
+  if (segments.File.empty())
   {
-    mesh = Read<vtkPLYReader>(path, console);
+    mesh = SelectSegments(mesh, path, segments.Labels, console);
   }
-  else if (extension == ".obj")
+  else if (IsSegmentFile(segments.File))
   {
-    mesh = MergePoints(Read<vtkOBJReader>(path, console));
-  }
-  else if (extension == ".stl")
-  {
-    mesh = MergePoints(Read<vtkSTLReader>(path, console));
+    vtkNew<vtkMarrowSegmentReader> reader;
+    reader->SetInputData(mesh);
+    reader->SetFileName(segments.File.c_str());
+    console.Update(reader, segments.File);
+    mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
   }
   else
   {
-    mesh = ReadPolyData(path, console);
-  }
-  mesh = Triangulate(mesh);
-  if (mesh->GetNumberOfPolys() == 0)
-  {
-    throw CommandError(path + ": the file holds no surface.");
+    const vtkSmartPointer<vtkPolyData> segmented =
+      SelectSegments(ReadSurface(segments.File, console), segments.File, segments.Labels, console);
+    mesh = WithSegmentsOf(mesh, path, segmented, segments.File);
   }
   return mesh;
 }
@@ -123,54 +160,56 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path, Console& cons
 {
   RequireExtension(path, { ".vtp", ".vtk" });
   RequireReadable(path);
-  return Extension(path) == ".vtp" ? Read<vtkXMLPolyDataReader>(path, console)
-                                   : Read<vtkPolyDataReader>(path, console);
-}
-
-vtkSmartPointer<vtkPolyData> ReadSegments(
-  vtkPolyData* mesh, const std::string& path, Console& console)
-{
-  RequireReadable(path);
-  vtkNew<vtkSegmentReader> reader;
-  reader->SetInputData(mesh);
-  reader->SetFileName(path.c_str());
-  console.Update(reader, path);
-  return vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
-}
-
-void WritePolyData(vtkPolyData* data, const std::string& path, Console& console)
-{
-  RequireExtension(path, { ".vtp", ".vtk" });
-  RequireWritable(path);
-  if (Extension(path) == ".vtp")
+  const auto read = [&](auto* reader)
   {
-    vtkNew<vtkXMLPolyDataWriter> writer;
+    reader->SetFileName(path.c_str());
+    console.Update(reader, path);
+    return vtkSmartPointer<vtkPolyData>(reader->GetOutput());
+  };
+  return Extension(path) == ".vtp" ? read(vtkNew<vtkXMLPolyDataReader>().Get())
+                                   : read(vtkNew<vtkPolyDataReader>().Get());
+}
+
+void Write(vtkPolyData* data, const std::string& path, Console& console)
+{
+  if (IsSegmentFile(path))
+  {
+    vtkNew<vtkMarrowSegmentWriter> writer;
     writer->SetFileName(path.c_str());
-    writer->SetInputData(data);
-    writer->Write();
-    console.ThrowIfError(path);
+    WriteWith(writer, data, path, console);
     return;
   }
-  vtkNew<vtkPolyDataWriter> writer;
+  vtkNew<vtkMarrowMeshWriter> writer;
   writer->SetFileName(path.c_str());
-  writer->SetFileTypeToBinary();
-  writer->SetInputData(data);
-  Write(writer, path, console);
+  WriteWith(writer, data, path, console);
 }
 
-void WriteSegments(vtkPolyData* mesh, const std::string& path, Console& console)
+void WriteText(const std::string& path, const std::string& text)
 {
-  RequireWritable(path);
-  vtkNew<vtkSegmentWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(mesh);
-  Write(writer, path, console);
+  errno = 0;
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream)
+  {
+    throw CommandError(
+      path + ": the file cannot be written: " + std::strerror(errno) + "; check the space left.");
+  }
 }
 
-std::ofstream Create(const std::string& path)
+std::string ReadableMeshes()
 {
-  RequireWritable(path);
-  return std::ofstream(path);
+  return vtkMarrowMeshReader::GetFileExtensions();
+}
+
+std::vector<std::string> WritableMeshes()
+{
+  std::vector<std::string> endings = Words(vtkMarrowMeshWriter::GetFileExtensions());
+  for (const std::string& ending : Words(vtkMarrowSegmentWriter::GetFileExtensions()))
+  {
+    endings.push_back(ending);
+  }
+  return endings;
 }
 
 std::string Extension(const std::string& path)
@@ -183,7 +222,8 @@ std::string Extension(const std::string& path)
 
 std::string Stem(const std::string& path)
 {
-  return std::filesystem::path(path).stem().string();
+  const std::filesystem::path stem = std::filesystem::path(path).stem();
+  return Extension(path) == ".gz" ? stem.stem().string() : stem.string();
 }
 
 void RequireExtension(const std::string& path, const std::vector<std::string>& allowed)

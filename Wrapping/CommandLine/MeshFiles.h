@@ -4,7 +4,6 @@
 
 #include <vtkSmartPointer.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -14,37 +13,56 @@ class vtkPolyData;
 /// Files in and out, the format chosen by the name's ending.
 namespace files
 {
-/// Reads a surface as triangles: .off, .ply, .obj, .stl, .vtp, .vtk. The triangles of a file of
-/// triangles keep its order, so that .seg files fit. Points that .stl and .obj repeat are merged.
+/// Where the segments of a mesh come from.
+struct SegmentSource
+{
+  /// A .seg file, or a mesh of the same faces that has labels; none: the mesh's own file.
+  std::string File;
+  /// What the labels are, in a file that is no .seg; see vtkMarrowSegmentSelector.
+  std::string Labels = "SegmentId";
+};
+
+/// Reads a surface, of any format that vtkMarrowMeshReader reads.
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console);
+
+/// The same with its segments in the cell array SegmentId.
+vtkSmartPointer<vtkPolyData> ReadSegmented(
+  const std::string& path, const SegmentSource& segments, Console& console);
+
+/// What a mesh is to the stages that take clean manifolds of triangles alone.
+struct WorkingMesh
+{
+  vtkSmartPointer<vtkPolyData> Surface;
+  bool IsInput; ///< one body that needs no mending: the mesh itself
+};
+
+/// Tells what was mended.
+WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console);
 
 /// Reads a .vtp or .vtk file as it is, a skeleton for example.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path, Console& console);
 
-/// Reads one integer per face into the mesh's cell array SegmentId.
-vtkSmartPointer<vtkPolyData> ReadSegments(
-  vtkPolyData* mesh, const std::string& path, Console& console);
+/// Writes a mesh or a skeleton in any format that vtkMarrowMeshWriter writes, or of a mesh the cell array
+/// SegmentId to a .seg file.
+void Write(vtkPolyData* data, const std::string& path, Console& console);
 
-/// Writes a mesh or a skeleton with its arrays: .vtp or .vtk.
-void WritePolyData(vtkPolyData* data, const std::string& path, Console& console);
+/// Writes a text file; throws CommandError if it cannot be written.
+void WriteText(const std::string& path, const std::string& text);
 
-/// Writes the cell array SegmentId, one integer per face.
-void WriteSegments(vtkPolyData* mesh, const std::string& path, Console& console);
-
-/// Opens a text file to be written anew.
-std::ofstream Create(const std::string& path);
+/// The endings of what can be read as a mesh, and written as one with segments, for help texts.
+std::string ReadableMeshes();
+std::vector<std::string> WritableMeshes();
 
 /// The ending with its dot, in small letters: ".vtp".
 std::string Extension(const std::string& path);
 
-/// The name without folder and ending: "camel" of "data/camel.off".
+/// The name without folder and ending: "camel" of "data/camel.off.gz".
 std::string Stem(const std::string& path);
 
 /// Throws CommandError unless the ending is one of `allowed`.
 void RequireExtension(const std::string& path, const std::vector<std::string>& allowed);
 
-/// Throws CommandError unless the file can be written; asked before VTK's writers are, which differ in
-/// what they say.
+/// Throws CommandError unless the file can be written; asked before anything is computed.
 void RequireWritable(const std::string& path);
 
 /// Creates the folder if there is none.

@@ -9,8 +9,6 @@
 #include <vtkSideBySideScene.h>
 #include <vtkSkeletonGlyphs.h>
 
-#include <cstdlib>
-
 CLI::App* RenderCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app =
@@ -26,7 +24,8 @@ CLI::App* RenderCommand::Declare(CLI::App& marrow)
     "Arrays to colour by in place of the segments, such as AGD MSP MSPGradient; one picture of "
     "each "
     "mesh for every one of them");
-  app->add_option("--segments", this->Segments, "Segments of the first mesh (.seg)");
+  app->add_option("--segments", this->Segments,
+    "Segments of the first mesh: a .seg file, or a mesh of the same faces with SegmentId");
   app->add_option("--captions", this->Captions, "One per mesh (default: the file names)");
   app->add_option("--up", this->ViewUp, "Direction that is up in the first mesh")
     ->expected(3)
@@ -80,11 +79,12 @@ void RenderCommand::Run(Console& console)
     throw CommandError("--captions: there are " + std::to_string(this->Captions.size()) + " for " +
       std::to_string(this->Meshes.size()) + " meshes; write one per mesh.");
   }
-  if (!std::getenv("DISPLAY"))
+  if (!vtkSideBySideScene::HasDisplay())
   {
     // VTK would end the program itself, with a stack of messages.
-    throw CommandError("There is no X display to draw with: set DISPLAY, or put "
-                       "'xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\"' before the command.");
+    throw CommandError(
+      "There is no X display to draw with: set DISPLAY to one that is there, or put "
+      "'xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\"' before the command.");
   }
 
   vtkNew<vtkSideBySideScene> scene;
@@ -105,11 +105,10 @@ void RenderCommand::Run(Console& console)
   scene->SetSurfaceOpacity(this->Opacity >= 0.0 ? this->Opacity : opacity);
   for (std::size_t i = 0; i < this->Meshes.size(); ++i)
   {
-    vtkSmartPointer<vtkPolyData> mesh = files::ReadMesh(this->Meshes[i], console);
-    if (i == 0 && !this->Segments.empty())
-    {
-      mesh = files::ReadSegments(mesh, this->Segments, console);
-    }
+    const bool hasSegments = i == 0 && !this->Segments.empty();
+    const vtkSmartPointer<vtkPolyData> mesh = hasSegments
+      ? files::ReadSegmented(this->Meshes[i], { this->Segments }, console)
+      : files::ReadMesh(this->Meshes[i], console);
     vtkSmartPointer<vtkPolyData> skeleton;
     if (!this->Skeletons.empty())
     {

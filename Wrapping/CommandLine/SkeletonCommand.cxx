@@ -10,7 +10,7 @@
 CLI::App* SkeletonCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app = marrow.add_subcommand("skeleton", "Compute the skeleton of a mesh");
-  app->add_option("mesh", this->Mesh, "Mesh (.off .ply .obj .stl .vtp .vtk)")->required();
+  app->add_option("mesh", this->Mesh, "Mesh (" + files::ReadableMeshes() + ")")->required();
   app->add_option("-o,--output", this->Output, "The skeleton (.vtp .vtk)")->required();
   app->add_option(
     "--mesh", this->MeshOutput, "Also write the mesh with its measures and SkeletonNodeId");
@@ -21,14 +21,20 @@ CLI::App* SkeletonCommand::Declare(CLI::App& marrow)
 void SkeletonCommand::Run(Console& console)
 {
   files::RequireExtension(this->Output, { ".vtp", ".vtk" });
-  vtkNew<vtkMSPSkeleton> skeleton;
-  skeleton->SetInputData(files::ReadMesh(this->Mesh, console));
-  console.Update(skeleton, this->Mesh);
-  files::WritePolyData(
-    vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)), this->Output, console);
+  files::RequireWritable(this->Output);
   if (!this->MeshOutput.empty())
   {
-    files::WritePolyData(
+    files::RequireExtension(this->MeshOutput, { ".vtp", ".vtk" });
+    files::RequireWritable(this->MeshOutput);
+  }
+  vtkNew<vtkMSPSkeleton> skeleton;
+  skeleton->SetInputData(
+    files::MakeWorkingMesh(files::ReadMesh(this->Mesh, console), this->Mesh, console).Surface);
+  console.Update(skeleton, this->Mesh);
+  files::Write(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)), this->Output, console);
+  if (!this->MeshOutput.empty())
+  {
+    files::Write(
       vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(1)), this->MeshOutput, console);
   }
 }

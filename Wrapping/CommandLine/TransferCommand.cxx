@@ -5,13 +5,25 @@
 #include "Console.h"
 #include "MeshFiles.h"
 
-#include <vtkCellData.h>
 #include <vtkMSPSkeleton.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <map>
+
+namespace
+{
+std::vector<std::string> Formats()
+{
+  std::vector<std::string> formats = files::WritableMeshes();
+  for (std::string& format : formats)
+  {
+    format.erase(0, 1);
+  }
+  return formats;
+}
+}
 
 CLI::App* TransferCommand::Declare(CLI::App& marrow)
 {
@@ -19,21 +31,31 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
     marrow.add_subcommand("transfer", "Carry the segments of a source mesh to target meshes");
   app->add_option("source", this->Source, "Source mesh")->required();
   app->add_option("targets", this->Targets, "Target meshes")->required();
-  app->add_option("--segments", this->Segments,
-    "Segments of the source: a .seg file, one integer per face; without it the source must hold "
-    "the cell array SegmentId");
+  app->add_option("--segments", this->Segments.File,
+    "Segments of the source: a .seg file, one integer per face, or a mesh of the same faces; "
+    "without "
+    "it the source holds them itself");
   app
-    ->add_option(
-      "-o,--output", this->Output, "For one target a file (.seg .vtp .vtk), for several a folder")
+    ->add_option("--labels", this->Segments.Labels,
+      "What in the mesh that holds them the segments are: the name of an array of cells or points "
+      "or "
+      "of a face property, or groups, objects, materials or colors")
+    ->capture_default_str();
+  app
+    ->add_option("-o,--output", this->Output,
+      "For one target a file (.vtp .vtk .ply .obj .off .seg), for several a folder")
     ->required();
   app->add_option("--format", this->Format, "What to write into the folder")
-    ->check(CLI::IsMember({ "seg", "vtp" }))
+    ->check(CLI::IsMember(Formats()))
     ->capture_default_str();
   app->add_flag("--skeletons", this->WriteSkeletons,
     "Also write the skeletons, NAME_skeleton.vtp in the folder of the output");
-  app->footer("Examples:\n"
-              "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
-              "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled");
+  app->footer(
+    "Examples:\n"
+    "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
+    "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled\n"
+    "  marrow transfer camel.off cow.off --segments camel.seg -o cow.obj\n"
+    "A target that cannot be done is named, and the others are done; the exit code is then 1.");
   return app;
 }
 
@@ -41,77 +63,137 @@ std::vector<std::string> TransferCommand::OutputFiles() const
 {
   if (this->Targets.size() == 1 && !files::Extension(this->Output).empty())
   {
-    files::RequireExtension(this->Output, { ".seg", ".vtp", ".vtk" });
+    files::RequireExtension(this->Output, files::WritableMeshes());
     return { this->Output };
   }
+  files::MakeFolder(this->Output);
   std::vector<std::string> outputs;
   for (const std::string& target : this->Targets)
   {
     outputs.push_back(
       (std::filesystem::path(this->Output) / (files::Stem(target) + "." + this->Format)).string());
-    if (std::count(outputs.begin(), outputs.end(), outputs.back()) > 1)
-    {
-      throw CommandError(target + ": two targets of that name would both be written to " +
-        outputs.back() + "; rename one or run them apart.");
-    }
   }
-  files::MakeFolder(this->Output);
   return outputs;
 }
 
-void TransferCommand::WriteSkeleton(vtkMSPSkeleton* skeleton, const std::string& mesh,
-  const std::string& besideFile, Console& console) const
+void TransferCommand::RequireFreeNames(const std::vector<std::string>& outputs) const
+{
+  std::map<std::string, std::string> meshOfOutput;
+  const auto require = [&meshOfOutput](const std::string& output, const std::string& mesh)
+  {
+    const auto [other, isFree] = meshOfOutput.emplace(output, mesh);
+    if (!isFree)
+    {
+      throw CommandError(mesh + ": what comes of it and of " + other->second +
+        " would both be written to " + output + "; rename one or run them apart.");
+    }
+    files::RequireWritable(output);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+  {
+    require(outputs[i], this->Targets[i]);
+  }
+  if (this->WriteSkeletons)
+  {
+    require(this->SkeletonFile(this->Source, outputs.front()), this->Source);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+    {
+      require(this->SkeletonFile(this->Targets[i], outputs[i]), this->Targets[i]);
+    }
+  }
+}
+
+std::string TransferCommand::SkeletonFile(
+  const std::string& mesh, const std::string& besideFile) const
+{
+  const std::filesystem::path folder = std::filesystem::path(besideFile).parent_path();
+  return (folder / (files::Stem(mesh) + "_skeleton.vtp")).string();
+}
+
+void TransferCommand::WriteSkeleton(
+  vtkMSPSkeleton* skeleton, const std::string& file, Console& console) const
 {
   if (this->WriteSkeletons)
   {
-    const std::filesystem::path folder = std::filesystem::path(besideFile).parent_path();
-    files::WritePolyData(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)),
-      (folder / (files::Stem(mesh) + "_skeleton.vtp")).string(), console);
+    files::Write(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)), file, console);
   }
+}
+
+void TransferCommand::TransferTo(vtkPolyData* source, vtkMSPSkeleton* sourceSkeleton,
+  const std::string& target, const std::string& output, Console& console) const
+{
+  const vtkSmartPointer<vtkPolyData> mesh = files::ReadMesh(target, console);
+  const files::WorkingMesh working = files::MakeWorkingMesh(mesh, target, console);
+  const bool isByHand = sourceSkeleton && working.IsInput;
+  vtkNew<vtkMSPSkeleton> targetSkeleton;
+  if (isByHand || this->WriteSkeletons)
+  {
+    targetSkeleton->SetInputData(working.Surface);
+    console.Update(targetSkeleton, target);
+    this->WriteSkeleton(targetSkeleton, this->SkeletonFile(target, output), console);
+  }
+
+  vtkNew<vtkSegmentationTransfer> transfer;
+  if (isByHand)
+  {
+    transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1));
+    transfer->SetInputConnection(1, targetSkeleton->GetOutputPort(1));
+    transfer->SetInputConnection(2, sourceSkeleton->GetOutputPort(0));
+    transfer->SetInputConnection(3, targetSkeleton->GetOutputPort(0));
+  }
+  else
+  {
+    transfer->SetInputData(0, source);
+    transfer->SetInputData(1, mesh);
+  }
+  console.Update(transfer, target);
+  files::Write(vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0)), output, console);
 }
 
 void TransferCommand::Run(Console& console)
 {
   const std::vector<std::string> outputs = this->OutputFiles();
-  vtkSmartPointer<vtkPolyData> source = files::ReadMesh(this->Source, console);
-  if (!this->Segments.empty())
-  {
-    source = files::ReadSegments(source, this->Segments, console);
-  }
-  else if (!source->GetCellData()->HasArray("SegmentId"))
-  {
-    throw CommandError(
-      this->Source + ": the mesh has no cell array SegmentId; name a .seg file with --segments.");
-  }
+  this->RequireFreeNames(outputs);
+  const vtkSmartPointer<vtkPolyData> source =
+    files::ReadSegmented(this->Source, this->Segments, console);
 
   // Once for all targets.
+  const files::WorkingMesh working = files::MakeWorkingMesh(source, this->Source, console);
   vtkNew<vtkMSPSkeleton> sourceSkeleton;
-  sourceSkeleton->SetInputData(source);
-  console.Update(sourceSkeleton, this->Source);
-  this->WriteSkeleton(sourceSkeleton, this->Source, outputs.front(), console);
+  if (working.IsInput || this->WriteSkeletons)
+  {
+    sourceSkeleton->SetInputData(working.Surface);
+    console.Update(sourceSkeleton, this->Source);
+    this->WriteSkeleton(sourceSkeleton, this->SkeletonFile(this->Source, outputs.front()), console);
+  }
 
+  std::vector<std::string> failed;
   for (std::size_t i = 0; i < this->Targets.size(); ++i)
   {
-    vtkNew<vtkMSPSkeleton> targetSkeleton;
-    targetSkeleton->SetInputData(files::ReadMesh(this->Targets[i], console));
-    console.Update(targetSkeleton, this->Targets[i]);
-    this->WriteSkeleton(targetSkeleton, this->Targets[i], outputs[i], console);
-
-    vtkNew<vtkSegmentationTransfer> transfer;
-    transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1));
-    transfer->SetInputConnection(1, targetSkeleton->GetOutputPort(1));
-    transfer->SetInputConnection(2, sourceSkeleton->GetOutputPort(0));
-    transfer->SetInputConnection(3, targetSkeleton->GetOutputPort(0));
-    console.Update(transfer, this->Targets[i]);
-
-    auto* labelled = vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0));
-    if (files::Extension(outputs[i]) == ".seg")
+    try
     {
-      files::WriteSegments(labelled, outputs[i], console);
+      this->TransferTo(source, working.IsInput ? sourceSkeleton.Get() : nullptr, this->Targets[i],
+        outputs[i], console);
     }
-    else
+    catch (const std::exception& error)
     {
-      files::WritePolyData(labelled, outputs[i], console);
+      if (this->Targets.size() == 1)
+      {
+        throw;
+      }
+      console.ShowError(error);
+      failed.push_back(this->Targets[i]);
     }
+  }
+  if (!failed.empty())
+  {
+    std::string names;
+    for (const std::string& name : failed)
+    {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    throw CommandError(std::to_string(this->Targets.size() - failed.size()) + " of " +
+      std::to_string(this->Targets.size()) + " done; " + std::to_string(failed.size()) +
+      " failed: " + names);
   }
 }

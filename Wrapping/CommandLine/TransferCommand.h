@@ -3,6 +3,7 @@
 #define marrow_TransferCommand_h
 
 #include "Command.h"
+#include "MeshFiles.h"
 
 #include <string>
 #include <vector>
@@ -20,12 +21,18 @@ private:
   /// The file to write for each target.
   std::vector<std::string> OutputFiles() const;
 
-  void WriteSkeleton(vtkMSPSkeleton* skeleton, const std::string& mesh,
-    const std::string& besideFile, Console& console) const;
+  /// Throws CommandError unless all files can be written, each for one mesh only.
+  void RequireFreeNames(const std::vector<std::string>& outputs) const;
+
+  void TransferTo(vtkPolyData* source, vtkMSPSkeleton* sourceSkeleton, const std::string& target,
+    const std::string& output, Console& console) const;
+
+  std::string SkeletonFile(const std::string& mesh, const std::string& besideFile) const;
+  void WriteSkeleton(vtkMSPSkeleton* skeleton, const std::string& file, Console& console) const;
 
   std::string Source;
   std::vector<std::string> Targets;
-  std::string Segments;
+  files::SegmentSource Segments;
   std::string Output;
   std::string Format = "vtp";
   bool WriteSkeletons = false;

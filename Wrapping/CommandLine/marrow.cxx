@@ -58,10 +58,16 @@ int main(int argc, char** argv)
         command->Run(console);
       }
     }
+    // A full disk may show only now.
+    if (!std::cout.flush())
+    {
+      throw CommandError(
+        "The results cannot be written to the standard output: check the space left.");
+    }
   }
   catch (const std::exception& error)
   {
-    std::cerr << "marrow: " << error.what() << std::endl;
+    Console::ShowError(error);
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -39,6 +39,26 @@ inline constexpr const char* CorrespondenceConfidence = "CorrespondenceConfidenc
 inline constexpr const char* SegmentId = "SegmentId";
 inline constexpr const char* SegmentConfidence = "SegmentConfidence";
 
+// On the cells of a mesh that was read from a file with such parts
+inline constexpr const char* GroupId = "GroupId";
+inline constexpr const char* ObjectId = "ObjectId";
+inline constexpr const char* MaterialId = "MaterialId";
+
+// On a mesh as a whole (field data): what each number stands for
+inline constexpr const char* SegmentName = "SegmentName";
+inline constexpr const char* GroupName = "GroupName";
+inline constexpr const char* ObjectName = "ObjectName";
+inline constexpr const char* MaterialName = "MaterialName";
+
+// On the working surface's cells, and on the cells and points of the mesh that it was made of
+inline constexpr const char* BodyId = "BodyId";
+inline constexpr const char* WorkingTriangleId = "WorkingTriangleId";
+inline constexpr const char* WorkingVertexId = "WorkingVertexId";
+
+// On both as a whole (field data), beside the counts of SurfaceReport
+inline constexpr const char* NumberOfOtherCells = "NumberOfOtherCells";
+inline constexpr const char* WorkingSurfaceNote = "WorkingSurfaceNote";
+
 // On boundary cells
 inline constexpr const char* BoundaryId = "BoundaryId";
 }

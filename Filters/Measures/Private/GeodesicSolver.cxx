@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace marrow
@@ -54,11 +55,13 @@ GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
   this->CornerOffset.reserve(this->VertexOfRank.size() + 1);
   this->Corners.reserve(3 * mesh.Triangles.size());
   this->CornerOffset.push_back(0);
+  std::vector<int> cornerOfHalfEdge(mesh.Opposite.size(), -1);
   for (int vertex : this->VertexOfRank)
   {
     mesh.ForEachOutgoing(vertex,
       [&](int h)
       {
+        cornerOfHalfEdge[h] = static_cast<int>(this->Corners.size());
         const int first = mesh.To(h);
         const int second = mesh.From(TriangleMesh::Previous(h));
         const Eigen::Vector3d base = mesh.Points[second] - mesh.Points[first];
@@ -69,6 +72,9 @@ GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
         Corner corner;
         corner.First = rankOfVertex[first];
         corner.Second = rankOfVertex[second];
+        // Half-edges for now, corners once all have their number.
+        corner.CornerAtFirst = TriangleMesh::Next(h);
+        corner.CornerAtSecond = TriangleMesh::Previous(h);
         corner.X = static_cast<float>(x);
         corner.Y = static_cast<float>(y);
         corner.Base = static_cast<float>(length);
@@ -79,6 +85,11 @@ GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
       });
     this->CornerOffset.push_back(static_cast<int>(this->Corners.size()));
   }
+  for (Corner& corner : this->Corners)
+  {
+    corner.CornerAtFirst = cornerOfHalfEdge[corner.CornerAtFirst];
+    corner.CornerAtSecond = cornerOfHalfEdge[corner.CornerAtSecond];
+  }
 }
 
 // The widest registers of the machine that runs it, by a choice at load time. Every clone does the
@@ -86,33 +97,46 @@ GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 __attribute__((target_clones("avx512f", "avx2", "default")))
 #endif
-bool GeodesicSolver::Update(
-  const Corner& corner, const float* first, const float* second, float* own)
+bool GeodesicSolver::Update(const Corner* corners, const char* pending, int numberOfCorners,
+  const float* distances, int firstRank, float* own)
 {
+  float reached[Lanes];
+  std::copy(own, own + Lanes, reached);
   int changed = 0;
-  for (int lane = 0; lane < Lanes; ++lane)
+  for (int c = 0; c < numberOfCorners; ++c)
   {
-    const float a = first[lane];
-    const float b = second[lane];
-    // The unfolded source is (x, -y). Infinite distances make NaN here, and then every comparison
-    // fails, which leaves the way along an edge.
-    const float x = 0.5f * (corner.Base + (a - b) * (a + b) * corner.InverseBase);
-    const float ySquared = a * a - x * x;
-    const float y = std::sqrt(ySquared > 0.0f ? ySquared : 0.0f);
-    const float dx = corner.X - x;
-    const float dy = corner.Y + y;
-    const float straight = std::sqrt(dx * dx + dy * dy);
-    const float crossing = x * corner.Y + corner.X * y;
-    const bool passes = (ySquared >= 0.0f) & (crossing >= 0.0f) & (crossing <= corner.Base * dy);
-    const float overFirst = a + corner.ToFirst;
-    const float overSecond = b + corner.ToSecond;
-    const float alongEdge = overFirst < overSecond ? overFirst : overSecond;
-    const float offer = passes ? straight : alongEdge;
-    const float old = own[lane];
-    const bool gains = offer < old * (1.0f - RelativeGain);
-    own[lane] = gains ? offer : old;
-    changed |= gains ? 1 : 0;
+    if (!pending[c])
+    {
+      continue;
+    }
+    const Corner& corner = corners[c];
+    const float* first = distances + static_cast<std::size_t>(Lanes) * (corner.First - firstRank);
+    const float* second = distances + static_cast<std::size_t>(Lanes) * (corner.Second - firstRank);
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      const float a = first[lane];
+      const float b = second[lane];
+      // The unfolded source is (x, -y). Infinite distances make NaN here, and then every comparison
+      // fails, which leaves the way along an edge.
+      const float x = 0.5f * (corner.Base + (a - b) * (a + b) * corner.InverseBase);
+      const float ySquared = a * a - x * x;
+      const float y = std::sqrt(ySquared > 0.0f ? ySquared : 0.0f);
+      const float dx = corner.X - x;
+      const float dy = corner.Y + y;
+      const float straight = std::sqrt(dx * dx + dy * dy);
+      const float crossing = x * corner.Y + corner.X * y;
+      const bool passes = (ySquared >= 0.0f) & (crossing >= 0.0f) & (crossing <= corner.Base * dy);
+      const float overFirst = a + corner.ToFirst;
+      const float overSecond = b + corner.ToSecond;
+      const float alongEdge = overFirst < overSecond ? overFirst : overSecond;
+      const float offer = passes ? straight : alongEdge;
+      const float old = reached[lane];
+      const bool gains = offer < old * (1.0f - RelativeGain);
+      reached[lane] = gains ? offer : old;
+      changed |= gains ? 1 : 0;
+    }
   }
+  std::copy(reached, reached + Lanes, own);
   return changed != 0;
 }
 
@@ -123,17 +147,23 @@ bool GeodesicSolver::Distances(int component, const std::vector<int>& sources,
   const int end = this->BeginOfComponent[component + 1];
   distances.assign(
     static_cast<std::size_t>(Lanes) * (end - begin), std::numeric_limits<float>::infinity());
+  const int firstCorner = this->CornerOffset[begin];
+  std::vector<char> pendingCorner(this->CornerOffset[end] - firstCorner, 0);
   std::vector<char> pending(end - begin, 0);
   int numberPending = 0;
+  const auto wake = [&](int rank, int corner)
+  {
+    pendingCorner[corner - firstCorner] = 1;
+    numberPending += pending[rank - begin] ? 0 : 1;
+    pending[rank - begin] = 1;
+  };
   const auto wakeNeighbors = [&](int rank)
   {
     for (int i = this->CornerOffset[rank]; i < this->CornerOffset[rank + 1]; ++i)
     {
-      for (int neighbor : { this->Corners[i].First, this->Corners[i].Second })
-      {
-        numberPending += pending[neighbor - begin] ? 0 : 1;
-        pending[neighbor - begin] = 1;
-      }
+      const Corner& corner = this->Corners[i];
+      wake(corner.First, corner.CornerAtFirst);
+      wake(corner.Second, corner.CornerAtSecond);
     }
   };
   const auto distancesOf = [&](int rank)
@@ -163,13 +193,12 @@ bool GeodesicSolver::Distances(int component, const std::vector<int>& sources,
       pending[rank - begin] = 0;
       --numberPending;
       visits += 1.0;
-      float* own = distancesOf(rank);
-      bool changed = false;
-      for (int c = this->CornerOffset[rank]; c < this->CornerOffset[rank + 1]; ++c)
-      {
-        const Corner& corner = this->Corners[c];
-        changed |= Update(corner, distancesOf(corner.First), distancesOf(corner.Second), own);
-      }
+      const int offset = this->CornerOffset[rank];
+      const int numberOfCorners = this->CornerOffset[rank + 1] - offset;
+      char* pendingHere = pendingCorner.data() + (offset - firstCorner);
+      const bool changed = Update(this->Corners.data() + offset, pendingHere, numberOfCorners,
+        distances.data(), begin, distancesOf(rank));
+      std::fill(pendingHere, pendingHere + numberOfCorners, 0);
       if (changed)
       {
         wakeNeighbors(rank);

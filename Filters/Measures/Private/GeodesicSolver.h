@@ -17,8 +17,8 @@ namespace marrow
 /// if it passes through the edge; otherwise the way goes along an edge. On a developable surface
 /// that is exact, elsewhere the error is some tenths of a percent. Offers are monotone in the
 /// distances they start from, so sweeps to and fro over the vertices in breadth-first order
-/// converge from above whatever the order; a vertex is visited again only where a neighbour has
-/// changed.
+/// converge from above whatever the order; an offer is looked at again only where one of the two
+/// distances that it starts from has changed.
 ///
 /// All sources of a call are carried through the sweep together, one in each lane: the geometry is
 /// read once for all of them, and the compiler turns the lanes into vector instructions.
@@ -48,6 +48,8 @@ private:
   {
     int First;
     int Second;
+    int CornerAtFirst; ///< of the same triangle, as an index into Corners
+    int CornerAtSecond;
     float X;
     float Y;
     float Base;        ///< distance of the other two
@@ -56,7 +58,10 @@ private:
     float ToSecond;
   };
 
-  static bool Update(const Corner& corner, const float* first, const float* second, float* own);
+  /// Takes what the pending ones of a vertex's corners offer; true if one of its distances fell.
+  /// `distances` are those of `firstRank` and the following, `own` the vertex's among them.
+  static bool Update(const Corner* corners, const char* pending, int numberOfCorners,
+    const float* distances, int firstRank, float* own);
 
   std::vector<int> VertexOfRank;
   std::vector<int> BeginOfComponent;

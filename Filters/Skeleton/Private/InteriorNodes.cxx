@@ -16,20 +16,42 @@ namespace marrow
 {
 namespace
 {
-/// Whether the rays from `point` along +x, +y and +z all leave the mesh an odd number of times. Cheap,
-/// and wrong only where a ray grazes an edge: a point for which it is false is looked at again.
-bool RaysSayInside(const TriangleMesh& mesh, const Eigen::Vector3d& point)
+/// Per node: whether the ray along `axis` leaves the mesh an odd number of times. The nodes are sorted by
+/// one coordinate, so that a triangle meets only those that lie below its shadow.
+std::vector<char> OddCrossings(const Skeleton& skeleton, const TriangleMesh& mesh, int axis)
 {
-  std::array<bool, 3> odd = { false, false, false };
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const int numberOfNodes = skeleton.NumberOfNodes();
+  std::vector<int> order(numberOfNodes);
+  std::iota(order.begin(), order.end(), 0);
+  const auto coordinate = [&](int node) { return skeleton.Graph[node].Position[u]; };
+  std::sort(
+    order.begin(), order.end(), [&](int a, int b) { return coordinate(a) < coordinate(b); });
+  std::vector<double> sorted(numberOfNodes);
+  std::transform(order.begin(), order.end(), sorted.begin(), coordinate);
+
+  std::vector<char> odd(numberOfNodes, 0);
   for (const auto& triangle : mesh.Triangles)
   {
-    const Eigen::Vector3d a = mesh.Points[triangle[0]] - point;
-    const Eigen::Vector3d b = mesh.Points[triangle[1]] - point;
-    const Eigen::Vector3d c = mesh.Points[triangle[2]] - point;
-    for (int axis = 0; axis < 3; ++axis)
+    const Eigen::Vector3d& p = mesh.Points[triangle[0]];
+    const Eigen::Vector3d& q = mesh.Points[triangle[1]];
+    const Eigen::Vector3d& r = mesh.Points[triangle[2]];
+    const double lowU = std::min({ p[u], q[u], r[u] });
+    const double highU = std::max({ p[u], q[u], r[u] });
+    const double lowV = std::min({ p[v], q[v], r[v] });
+    const double highV = std::max({ p[v], q[v], r[v] });
+    const auto first = std::lower_bound(sorted.begin(), sorted.end(), lowU);
+    for (auto i = first - sorted.begin(); i < numberOfNodes && sorted[i] <= highU; ++i)
     {
-      const int u = (axis + 1) % 3;
-      const int v = (axis + 2) % 3;
+      const Eigen::Vector3d& node = skeleton.Graph[order[i]].Position;
+      if (node[v] < lowV || node[v] > highV)
+      {
+        continue;
+      }
+      const Eigen::Vector3d a = p - node;
+      const Eigen::Vector3d b = q - node;
+      const Eigen::Vector3d c = r - node;
       // The origin lies in the projected triangle if the three edge functions have one sign.
       const double ab = a[u] * b[v] - a[v] * b[u];
       const double bc = b[u] * c[v] - b[v] * c[u];
@@ -39,10 +61,10 @@ bool RaysSayInside(const TriangleMesh& mesh, const Eigen::Vector3d& point)
         continue;
       }
       const double height = a[axis] * bc + b[axis] * ca + c[axis] * ab;
-      odd[axis] = odd[axis] != ((height > 0.0) == (ab > 0.0));
+      odd[order[i]] ^= static_cast<char>((height > 0.0) == (ab > 0.0));
     }
   }
-  return odd[0] && odd[1] && odd[2];
+  return odd;
 }
 
 /// The distance from a vertex straight inwards to the opposite wall, infinite if there is none.
@@ -109,14 +131,37 @@ Eigen::Vector3d NearestInside(
 
 void MoveNodesInside(Skeleton& skeleton, const TriangleMesh& mesh)
 {
-  const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
-  ParallelFor(0, skeleton.NumberOfNodes(),
+  // The rays are cheap, and wrong only where one grazes an edge: a node that one of them says is outside
+  // is looked at again.
+  std::array<std::vector<char>, 3> odd;
+  ParallelFor(0, 3,
     [&](int first, int last)
     {
-      for (int n = first; n < last; ++n)
+      for (int axis = first; axis < last; ++axis)
       {
-        SkeletonNode& node = skeleton.Graph[n];
-        if (!RaysSayInside(mesh, node.Position) && WindingNumber(mesh, node.Position) < 0.5)
+        odd[axis] = OddCrossings(skeleton, mesh, axis);
+      }
+    });
+  std::vector<int> doubtful;
+  for (int n = 0; n < skeleton.NumberOfNodes(); ++n)
+  {
+    if (!odd[0][n] || !odd[1][n] || !odd[2][n])
+    {
+      doubtful.push_back(n);
+    }
+  }
+  if (doubtful.empty())
+  {
+    return;
+  }
+  const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
+  ParallelFor(0, static_cast<int>(doubtful.size()),
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        SkeletonNode& node = skeleton.Graph[doubtful[i]];
+        if (WindingNumber(mesh, node.Position) < 0.5)
         {
           node.Position = NearestInside(node, mesh, normals);
         }

@@ -8,7 +8,7 @@
 #include "SkeletonBridge.h"
 #include "vtkMSPField.h"
 #include "vtkMSPSkeleton.h"
-#include "vtkOFFReader.h"
+#include "vtkMarrowMeshReader.h"
 #ifdef MARROW_BENCHMARK_CGAL
 #include "vtkMeanCurvatureSkeleton.h"
 #endif
@@ -83,7 +83,7 @@ PreparedMesh ComputeSkeleton(const std::string& folder, int mesh, SkeletonKind k
   prepared.Id = mesh;
   try
   {
-    vtkNew<vtkOFFReader> reader;
+    vtkNew<vtkMarrowMeshReader> reader;
     reader->SetFileName(MeshFile(folder, mesh).c_str());
     Run(reader);
     vtkNew<vtkMSPField> field;

@@ -6,7 +6,7 @@
 #include "BenchmarkRun.h"
 #include "FilterRun.h"
 #include "MeshBridge.h"
-#include "vtkOFFReader.h"
+#include "vtkMarrowMeshReader.h"
 #include "vtkSideBySideScene.h"
 
 #include <vtkCellData.h>
@@ -27,7 +27,7 @@ namespace
 {
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& folder, int mesh)
 {
-  vtkNew<vtkOFFReader> reader;
+  vtkNew<vtkMarrowMeshReader> reader;
   reader->SetFileName(MeshFile(folder, mesh).c_str());
   Run(reader);
   return reader->GetOutput();

@@ -3,57 +3,48 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Dict, Optional, Union
+from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from ._mesh import Mesh, MeshLike, Segments, polydata_of, set_segments
 from ._messages import Error, collected_messages
 from ._run import polydata_output, run
 from ._skeleton import Skeleton
-from .vtk import vtkOFFReader, vtkSegmentReader, vtkSegmentWriter
+from .vtk import (
+    vtkMarrowMeshReader,
+    vtkMarrowMeshWriter,
+    vtkMarrowSegmentReader,
+    vtkMarrowSegmentSelector,
+    vtkMarrowSegmentWriter,
+)
 
 Path = Union[str, "os.PathLike[str]"]
 
-_READERS: Dict[str, Callable[[], Any]] = {
-    ".off": vtkOFFReader,
-    ".ply": vtkPLYReader,
-    ".obj": vtkOBJReader,
-    ".stl": vtkSTLReader,
-    ".vtp": vtkXMLPolyDataReader,
-    ".vtk": vtkPolyDataReader,
-}
-_WRITERS: Dict[str, Callable[[], Any]] = {
-    ".vtp": vtkXMLPolyDataWriter,
-    ".vtk": vtkPolyDataWriter,
-    ".seg": vtkSegmentWriter,
-}
-
 
 def read(path: Path, segments: Optional[Path] = None) -> Mesh:
-    """Reads a mesh, as triangles.
+    """Reads a mesh, a face of the file each.
 
     Parameters
     ----------
     path
-        A file .off, .ply, .obj, .stl, .vtp or .vtk. Corners that .obj and .stl repeat are merged.
+        A file .off, .ply, .obj, .stl, .vtp, .vtu or .vtk; but for .vtp and .vtu also compressed, as
+        .off.gz. Corners that .stl repeats are merged.
     segments
-        A file .seg: one integer per face.
+        A file .seg, one integer per face; or what of the file the segments are: the name of an array
+        of cells or points or of a face property, or "groups", "objects", "materials" or "colors".
     """
     name = os.fspath(path)
-    reader = _of_extension(name, _READERS)()
+    reader = vtkMarrowMeshReader()
+    _require_kind(name, vtkMarrowMeshReader)
     _require_readable(name)
     reader.SetFileName(name)
     run(reader, name)
-    polydata = _triangles(polydata_output(reader), merge=name.lower().endswith((".obj", ".stl")))
-    if polydata.GetNumberOfPolys() == 0:
-        raise Error(f"{name}: the file holds no surface.")
-    return Mesh(polydata) if segments is None else _with_segments(polydata, os.fspath(segments))
+    polydata = polydata_output(reader)
+    if segments is not None:
+        polydata = _with_segments(polydata, name, os.fspath(segments))
+    return Mesh(_triangles(polydata))
 
 
 def write(
@@ -64,33 +55,35 @@ def write(
     Parameters
     ----------
     mesh
-        What marrow's functions return, or a mesh; with all of its arrays.
+        What marrow's functions return, or a mesh.
     path
-        A file .vtp or .vtk, or .seg for one integer per face.
+        A file .vtp or .vtk, with all arrays; .ply, .obj or .off, of a mesh with its segments as face
+        property, groups or face colours; or .seg for one integer per face.
     segments : (m,) int, or the name of a cell array
         The segment of each face. Default: the mesh's own, the array "SegmentId".
     """
     name = os.fspath(path)
-    writer = _of_extension(name, _WRITERS)()
+    _require_kind(name, vtkMarrowMeshWriter, vtkMarrowSegmentWriter)
     polydata = polydata_of(mesh.polydata if isinstance(mesh, Skeleton) else mesh)
     array = set_segments(polydata, segments)
-    with open(name, "ab"):
-        pass  # Python's exception says better than VTK why a file cannot be written.
-    if writer.IsA("vtkSegmentWriter"):
-        writer.SetInputArrayToProcess(0, 0, 0, vtkPolyData.FIELD_ASSOCIATION_CELLS, array)
-    if writer.IsA("vtkPolyDataWriter"):
-        writer.SetFileTypeToBinary()
+    writer = (vtkMarrowSegmentWriter if _is_of(vtkMarrowSegmentWriter, name)
+              else vtkMarrowMeshWriter)()
+    writer.SetInputArrayToProcess(0, 0, 0, vtkPolyData.FIELD_ASSOCIATION_CELLS, array)
     writer.SetInputData(polydata)
     writer.SetFileName(name)
+    _require_writable(name)
     with collected_messages(name):
         writer.Write()
 
 
-def _of_extension(name: str, kinds: Dict[str, Callable[[], Any]]) -> Callable[[], Any]:
-    extension = os.path.splitext(name)[1].lower()
-    if extension not in kinds:
-        raise Error(f"{name}: the name must end in one of {', '.join(kinds)}.")
-    return kinds[extension]
+def _is_of(kind: Any, name: str) -> bool:
+    return name.lower().endswith(tuple(kind.GetFileExtensions().split()))
+
+
+def _require_kind(name: str, *kinds: Any) -> None:
+    if not any(_is_of(kind, name) for kind in kinds):
+        endings = " ".join(kind.GetFileExtensions() for kind in kinds).split()
+        raise Error(f"{name}: the name must end in one of {', '.join(endings)}.")
 
 
 def _require_readable(name: str) -> None:
@@ -98,32 +91,32 @@ def _require_readable(name: str) -> None:
         pass  # Raises FileNotFoundError and the like.
 
 
-def _triangles(polydata: vtkPolyData, merge: bool) -> vtkPolyData:
-    if merge:
-        # Keeps triangles that collapse: filters name them, and faces keep their numbers.
-        clean = vtkCleanPolyData()
-        clean.SetTolerance(0.0)
-        clean.ConvertLinesToPointsOff()
-        clean.ConvertPolysToLinesOff()
-        clean.ConvertStripsToPolysOff()
-        clean.SetInputData(polydata)
-        run(clean, "read")
-        polydata = polydata_output(clean)
-    others = polydata.GetNumberOfCells() - polydata.GetNumberOfPolys()
-    if others == 0 and polydata.GetPolys().IsHomogeneous() == 3:
+def _require_writable(name: str) -> None:
+    is_new = not os.path.lexists(name)
+    with open(name, "ab"):
+        pass  # Python's exception says better than VTK why a file cannot be written.
+    if is_new:
+        os.remove(name)
+
+
+def _triangles(polydata: vtkPolyData) -> vtkPolyData:
+    """Until the filters take polygons."""
+    if polydata.GetPolys().IsHomogeneous() == 3:
         return polydata
     triangulate = vtkTriangleFilter()
-    triangulate.PassVertsOff()
-    triangulate.PassLinesOff()
     triangulate.SetInputData(polydata)
     run(triangulate, "read")
     return polydata_output(triangulate)
 
 
-def _with_segments(polydata: vtkPolyData, name: str) -> Mesh:
-    _require_readable(name)
-    reader = vtkSegmentReader()
-    reader.SetInputData(polydata)
-    reader.SetFileName(name)
-    run(reader, name)
-    return Mesh(polydata_output(reader))
+def _with_segments(polydata: vtkPolyData, name: str, segments: str) -> vtkPolyData:
+    if _is_of(vtkMarrowSegmentReader, segments):
+        _require_readable(segments)
+        algorithm, name = vtkMarrowSegmentReader(), segments
+        algorithm.SetFileName(segments)
+    else:
+        algorithm = vtkMarrowSegmentSelector()
+        algorithm.SetLabels(segments)
+    algorithm.SetInputData(polydata)
+    run(algorithm, name)
+    return polydata_output(algorithm)

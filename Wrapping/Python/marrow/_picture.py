@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from typing import Literal, Optional, Sequence, TypedDict, Union, Unpack
 
 import numpy as np
@@ -81,10 +80,10 @@ def render(
     >>> marrow.render(marrow.creature("snake"), tile_width=320, tile_height=200).shape
     (200, 320, 3)
     """
-    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+    if not vtk.vtkSideBySideScene.HasDisplay():
         # VTK would end the process.
         raise Error(
-            "render: there is no X display to draw with: set DISPLAY, or put 'xvfb-run -a -s "
+            "render: there is no X display to draw with: set DISPLAY to one that is there, or put 'xvfb-run -a -s "
             "\"-screen 0 1280x1024x24 -noreset\"' before the command."
         )
     titles = _per_mesh("captions", captions, meshes)

@@ -17,8 +17,10 @@ _MODULES = (
     "MarrowTransfer",
     "MarrowCorrespondence",
     "MarrowMeasures",
+    "MarrowSurface",
     "MarrowEvaluation",
-    "MarrowSources",
+    "MarrowIO",
+    "MarrowCreatures",
     "MarrowRendering",
     "MarrowSkeletonCGAL",
 )
