@@ -6,6 +6,7 @@
 #include "LabelBridge.h"
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
+#include "SkeletonMatching.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>
@@ -16,7 +17,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSkeletonCorrespondence.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +118,11 @@ bool GetIds(vtkPolyData* skeleton, std::vector<int>& nodes, std::vector<int>& br
   return GetArray(skeleton->GetPointData(), names::CorrespondenceId, numberOfNodes, nodes) &&
     GetBranchArray(skeleton, names::BranchCorrespondenceId, branches);
 }
+
+CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
+{
+  return { side.BranchOrder, { side.BranchReversed.begin(), side.BranchReversed.end() } };
+}
 }
 
 std::string CompleteSide(
@@ -171,36 +176,35 @@ std::string CompleteSide(
   return error.empty() ? error : side.Role + ": " + error;
 }
 
-std::string ReadCorrespondence(vtkAlgorithm* outer, double from, double to, TransferSide& source,
-  TransferSide& target, CorrespondenceIds& ids, double& confidence)
+std::vector<Answer> FindAnswers(vtkAlgorithm* outer, double from, double to,
+  const TransferSide& source, const AnalyzedMesh& sourceMesh, const TransferSide& target,
+  const AnalyzedMesh& targetMesh)
 {
-  const auto readBoth = [&]()
+  CorrespondenceIds ids;
+  if (GetIds(source.Skeleton, ids.SourceNodes, ids.SourceBranches, ids.SourceOrder) &&
+    GetIds(target.Skeleton, ids.TargetNodes, ids.TargetBranches, ids.TargetOrder))
   {
-    return GetIds(source.Skeleton, ids.SourceNodes, ids.SourceBranches, ids.SourceOrder) &&
-      GetIds(target.Skeleton, ids.TargetNodes, ids.TargetBranches, ids.TargetOrder);
-  };
-  if (!readBoth())
+    vtkDataArray* array =
+      source.Skeleton->GetFieldData()->GetArray(names::CorrespondenceConfidence);
+    const double confidence =
+      array && array->GetNumberOfTuples() > 0 ? std::clamp(array->GetTuple1(0), 0.0, 1.0) : 1.0;
+    return { { JoinChains(sourceMesh.Skeleton, targetMesh.Skeleton, ids), 0.0, confidence } };
+  }
+  std::vector<Answer> answers;
+  SkeletonMatching matching;
+  if (MatchSkeletons(
+        sourceMesh.Skeleton, targetMesh.Skeleton, {}, matching, ProgressOf(outer, from, to)))
   {
-    vtkNew<vtkSkeletonCorrespondence> correspondence;
-    WatchInner(outer, correspondence, from, to);
-    correspondence->SetInputData(0, source.Skeleton);
-    correspondence->SetInputData(1, target.Skeleton);
-    correspondence->Update();
-    if (IsAborted(outer))
+    matching.Leaves.resize(std::min(matching.Leaves.size(), MostAnswers));
+    for (const SkeletonMatch& leaf : matching.Leaves)
     {
-      return {};
-    }
-    source.Skeleton = OutputOf(correspondence, 0);
-    target.Skeleton = OutputOf(correspondence, 1);
-    if (!readBoth())
-    {
-      return "The skeletons could not be matched: see the message of vtkSkeletonCorrespondence.";
+      const CorrespondenceIds idsOfLeaf{ leaf.Source.NodeId, leaf.Target.NodeId,
+        leaf.Source.BranchId, leaf.Target.BranchId, OrderOf(leaf.Source), OrderOf(leaf.Target) };
+      answers.push_back({ JoinChains(sourceMesh.Skeleton, targetMesh.Skeleton, idsOfLeaf),
+        leaf.GlobalCost, leaf.Confidence });
     }
   }
-  vtkDataArray* array = source.Skeleton->GetFieldData()->GetArray(names::CorrespondenceConfidence);
-  confidence =
-    array && array->GetNumberOfTuples() > 0 ? std::clamp(array->GetTuple1(0), 0.0, 1.0) : 1.0;
-  return {};
+  return answers;
 }
 
 std::string ReadLabels(

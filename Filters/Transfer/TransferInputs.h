@@ -3,7 +3,7 @@
 #define marrow_TransferInputs_h
 
 #include "AnalyzedMesh.h"
-#include "MatchedSkeletons.h"
+#include "AnswerChoice.h"
 
 #include <vtkSmartPointer.h>
 
@@ -31,9 +31,11 @@ struct TransferSide
 std::string CompleteSide(
   vtkAlgorithm* outer, double from, double to, TransferSide& side, AnalyzedMesh& analyzed);
 
-/// Runs vtkSkeletonCorrespondence, if needed, and reads the ids and the confidence.
-std::string ReadCorrespondence(vtkAlgorithm* outer, double from, double to, TransferSide& source,
-  TransferSide& target, CorrespondenceIds& ids, double& confidence);
+/// The answers that TransferSegmentation chooses from: the one that the skeletons bring with them, else
+/// the best of MatchSkeletons with its defaults. None if `outer` is told to stop.
+std::vector<Answer> FindAnswers(vtkAlgorithm* outer, double from, double to,
+  const TransferSide& source, const AnalyzedMesh& sourceMesh, const TransferSide& target,
+  const AnalyzedMesh& targetMesh);
 
 /// The labels of the source's cells. `array` may be null: then the message names those there are.
 std::string ReadLabels(

@@ -173,15 +173,15 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     name ? name : marrow::names::SegmentId, labels);
   marrow::AnalyzedMesh sourceMesh;
   marrow::AnalyzedMesh targetMesh;
-  marrow::CorrespondenceIds ids;
-  double confidence = 1.0;
+  std::vector<marrow::Answer> answers;
   error = error.empty() ? marrow::CompleteSide(this, 0.0, 0.35, source, sourceMesh) : error;
   error = error.empty() && !marrow::IsAborted(this)
     ? marrow::CompleteSide(this, 0.35, 0.7, target, targetMesh)
     : error;
-  error = error.empty() && !marrow::IsAborted(this)
-    ? marrow::ReadCorrespondence(this, 0.7, 0.75, source, target, ids, confidence)
-    : error;
+  if (error.empty() && !marrow::IsAborted(this))
+  {
+    answers = marrow::FindAnswers(this, 0.7, 0.75, source, sourceMesh, target, targetMesh);
+  }
   if (error.empty() && !labels.empty())
   {
     const int numberOfPieces = marrow::FindPieces(sourceMesh.Mesh, labels).NumberOfPieces();
@@ -202,26 +202,24 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
 
-  const marrow::MatchedSkeletons match =
-    marrow::JoinChains(sourceMesh.Skeleton, targetMesh.Skeleton, ids);
-  confidence = match.IsEmpty() ? std::min(confidence, 0.2) : confidence;
   marrow::TransferParameters parameters;
   parameters.Theta = this->Theta;
   parameters.Kernel = this->Kernel;
   parameters.Lambda = this->Lambda;
   parameters.SearchRegion = this->SearchRegion;
   parameters.StrictBoundaries = this->StrictBoundaries;
-  const marrow::TransferResult result = marrow::TransferSegmentation(sourceMesh, targetMesh, match,
-    confidence, labels, parameters, marrow::ProgressOf(this, 0.75, 1.0));
+  const marrow::TransferResult result = marrow::TransferSegmentation(
+    sourceMesh, targetMesh, answers, labels, parameters, marrow::ProgressOf(this, 0.75, 1.0));
   if (result.IsAborted)
   {
     return 1;
   }
   if (result.IsWholeAlignment)
   {
-    vtkWarningMacro(<< (match.IsEmpty() ? "No branch of the skeletons is matched"
-                                        : "The matched skeletons bring the surfaces together no "
-                                          "better than their principal axes")
+    vtkWarningMacro(<< (answers[result.Answer].Match.IsEmpty()
+                           ? "No branch of the skeletons is matched"
+                           : "The matched skeletons bring the surfaces together no "
+                             "better than their principal axes")
                     << ": the meshes are aligned as wholes, and the segments are only as good as "
                        "that.");
   }
