@@ -15,6 +15,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSegmentationTransfer.h>
+#include <vtkSkeletonCorrespondence.h>
 #include <vtkSphereSource.h>
 
 #include <algorithm>
@@ -124,10 +125,20 @@ Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
   marrow::TransferSide sides[2] = { { "Source", source, nullptr }, { "Target", target, nullptr } };
   Check(marrow::CompleteSide(filter, 0.0, 0.4, sides[0], matched.SourceMesh));
   Check(marrow::CompleteSide(filter, 0.4, 0.8, sides[1], matched.TargetMesh));
-  marrow::CorrespondenceIds ids;
-  double confidence = 0.0;
-  Check(marrow::ReadCorrespondence(filter, 0.8, 1.0, sides[0], sides[1], ids, confidence));
-  matched.Match = marrow::JoinChains(matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton, ids);
+  vtkNew<vtkSkeletonCorrespondence> correspondence;
+  for (int side = 0; side < 2; ++side)
+  {
+    correspondence->SetInputData(side, sides[side].Skeleton);
+  }
+  correspondence->Update();
+  for (int side = 0; side < 2; ++side)
+  {
+    sides[side].Skeleton = Output(correspondence, side);
+  }
+  matched.Match = marrow::FindAnswers(
+    filter, 0.8, 1.0, sides[0], matched.SourceMesh, sides[1], matched.TargetMesh)
+                    .front()
+                    .Match;
   matched.Source = { sides[0].Mesh, sides[0].Skeleton };
   matched.Target = { sides[1].Mesh, sides[1].Skeleton };
   return matched;
