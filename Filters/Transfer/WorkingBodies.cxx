@@ -73,8 +73,8 @@ std::string MakeWorkingBodies(vtkPolyData* input, WorkingBodies& bodies, const P
   return {};
 }
 
-std::vector<int> LabelsOfBody(
-  const WorkingBodies& bodies, int body, const std::vector<int>& labelOfCell)
+std::vector<std::vector<int>> LabelsOfBodies(
+  const WorkingBodies& bodies, const std::vector<int>& labelOfCell)
 {
   const WorkingSurface& surface = bodies.Surface;
   std::vector<std::map<int, double>> areas(surface.Mesh.Triangles.size());
@@ -117,11 +117,15 @@ std::vector<int> LabelsOfBody(
       }
     }
   }
-  std::vector<int> ofBody;
-  for (int t : bodies.TrianglesOfBody[body])
+  std::vector<std::vector<int>> ofBodies;
+  for (const std::vector<int>& triangles : bodies.TrianglesOfBody)
   {
-    ofBody.push_back(labels[t]);
+    std::vector<int>& ofBody = ofBodies.emplace_back();
+    for (int t : triangles)
+    {
+      ofBody.push_back(labels[t]);
+    }
   }
-  return ofBody;
+  return ofBodies;
 }
 }

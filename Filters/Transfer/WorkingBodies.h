@@ -30,9 +30,9 @@ struct WorkingBodies
 /// One sentence on what no program can use, or an empty one. What `progress` stops is left unfinished.
 std::string MakeWorkingBodies(vtkPolyData* input, WorkingBodies& bodies, const Progress& progress);
 
-/// The labels of a body's cells, from those of the input's: what most of the area has that each became.
-std::vector<int> LabelsOfBody(
-  const WorkingBodies& bodies, int body, const std::vector<int>& labelOfCell);
+/// Per body the labels of its cells, from those of the input's: what most of the area has that each became.
+std::vector<std::vector<int>> LabelsOfBodies(
+  const WorkingBodies& bodies, const std::vector<int>& labelOfCell);
 }
 
 #endif

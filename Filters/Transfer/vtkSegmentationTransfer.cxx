@@ -277,11 +277,11 @@ int vtkSegmentationTransfer::TransferBodies(
     return 0;
   }
   std::vector<vtkSmartPointer<vtkPolyData>> sources;
-  for (std::size_t b = 0; b < bodies[0].Meshes.size(); ++b)
+  const std::vector<std::vector<int>> ofBodies = marrow::LabelsOfBodies(bodies[0], labels);
+  for (std::size_t b = 0; b < ofBodies.size(); ++b)
   {
     sources.push_back(CopyOf(bodies[0].Meshes[b]));
-    marrow::SetIntArray(sources.back()->GetCellData(), marrow::names::SegmentId,
-      marrow::LabelsOfBody(bodies[0], static_cast<int>(b), labels));
+    marrow::SetIntArray(sources.back()->GetCellData(), marrow::names::SegmentId, ofBodies[b]);
   }
 
   const marrow::WorkingSurface& surface = bodies[1].Surface;

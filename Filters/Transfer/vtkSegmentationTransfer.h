@@ -67,8 +67,8 @@
  *
  * Errors: a source without the segment array (the message names those there are), or with one of
  * another size, more than one component, values that are no integers, or more than 500 connected
- * pieces of segments (noise); a mesh that is empty, has cells other than triangles, or
- * is no oriented manifold; a skeleton that is not one, or does not belong to its mesh (SkeletonNodeId
+ * pieces of segments (noise); a mesh without a face, or with a point in use that is not finite; where a
+ * skeleton is connected, also cells other than triangles, or no oriented manifold; a skeleton that is not one, or does not belong to its mesh (SkeletonNodeId
  * is missing or out of range). Open meshes and several components are no error. The message names the
  * side and says what to do.
  *

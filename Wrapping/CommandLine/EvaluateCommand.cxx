@@ -46,12 +46,7 @@ CLI::App* EvaluateCommand::Declare(CLI::App& marrow)
   app->add_option("mesh", this->Mesh, "The mesh (" + files::ReadableMeshes() + ")")->required();
   app->add_option("--segments", this->Segments.File,
     "Segments to judge: a .seg file or a mesh of the same faces; without it the mesh holds them");
-  app
-    ->add_option("--labels", this->Segments.Labels,
-      "What in the mesh that holds them the segments are: the name of an array of cells or points "
-      "or "
-      "of a face property, or groups, objects, materials or colors")
-    ->capture_default_str();
+  app->add_option("--labels", this->Segments.Labels, files::LabelsHelp)->capture_default_str();
   app->add_option("--reference", this->References, "What they are held against: the same formats")
     ->required();
   app->add_option("--reference-labels", this->ReferenceLabels, "As --labels, in the references")

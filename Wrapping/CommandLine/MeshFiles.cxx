@@ -62,15 +62,6 @@ void RequireReadable(const std::string& path)
   }
 }
 
-/// A mesh of polygons, a face of the file each.
-vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, Console& console)
-{
-  vtkNew<vtkMarrowMeshReader> reader;
-  reader->SetFileName(path.c_str());
-  console.Update(reader, path);
-  return reader->GetOutput();
-}
-
 vtkSmartPointer<vtkPolyData> SelectSegments(
   vtkPolyData* mesh, const std::string& path, const std::string& labels, Console& console)
 {
@@ -111,7 +102,10 @@ void WriteWith(vtkWriter* writer, vtkPolyData* data, const std::string& path, Co
 
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console)
 {
-  return ReadSurface(path, console);
+  vtkNew<vtkMarrowMeshReader> reader;
+  reader->SetFileName(path.c_str());
+  console.Update(reader, path);
+  return reader->GetOutput();
 }
 
 WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console)
@@ -134,7 +128,7 @@ WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console&
 vtkSmartPointer<vtkPolyData> ReadSegmented(
   const std::string& path, const SegmentSource& segments, Console& console)
 {
-  vtkSmartPointer<vtkPolyData> mesh = ReadSurface(path, console);
+  vtkSmartPointer<vtkPolyData> mesh = ReadMesh(path, console);
   if (segments.File.empty())
   {
     mesh = SelectSegments(mesh, path, segments.Labels, console);
@@ -150,7 +144,7 @@ vtkSmartPointer<vtkPolyData> ReadSegmented(
   else
   {
     const vtkSmartPointer<vtkPolyData> segmented =
-      SelectSegments(ReadSurface(segments.File, console), segments.File, segments.Labels, console);
+      SelectSegments(ReadMesh(segments.File, console), segments.File, segments.Labels, console);
     mesh = WithSegmentsOf(mesh, path, segmented, segments.File);
   }
   return mesh;

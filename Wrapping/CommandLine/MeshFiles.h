@@ -13,6 +13,11 @@ class vtkPolyData;
 /// Files in and out, the format chosen by the name's ending.
 namespace files
 {
+/// What --labels takes, in words.
+inline constexpr const char* LabelsHelp = "What in the mesh that holds them the segments are: the "
+                                          "name of an array of cells or points or of a "
+                                          "face property, or groups, objects, materials or colors";
+
 /// Where the segments of a mesh come from.
 struct SegmentSource
 {

@@ -33,14 +33,8 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
   app->add_option("targets", this->Targets, "Target meshes")->required();
   app->add_option("--segments", this->Segments.File,
     "Segments of the source: a .seg file, one integer per face, or a mesh of the same faces; "
-    "without "
-    "it the source holds them itself");
-  app
-    ->add_option("--labels", this->Segments.Labels,
-      "What in the mesh that holds them the segments are: the name of an array of cells or points "
-      "or "
-      "of a face property, or groups, objects, materials or colors")
-    ->capture_default_str();
+    "without it the source holds them itself");
+  app->add_option("--labels", this->Segments.Labels, files::LabelsHelp)->capture_default_str();
   app
     ->add_option("-o,--output", this->Output,
       "For one target a file (.vtp .vtk .ply .obj .off .seg), for several a folder")
