@@ -120,11 +120,12 @@ std::vector<std::vector<int>> LabelsOfBodies(
   std::vector<std::vector<int>> ofBodies;
   for (const std::vector<int>& triangles : bodies.TrianglesOfBody)
   {
-    std::vector<int>& ofBody = ofBodies.emplace_back();
+    std::vector<int> ofBody;
     for (int t : triangles)
     {
       ofBody.push_back(labels[t]);
     }
+    ofBodies.push_back(std::move(ofBody));
   }
   return ofBodies;
 }
