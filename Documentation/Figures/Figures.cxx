@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Figures.h"
 
-#include "TransferInputs.h"
+#include "MeshBridge.h"
+#include "SideTransfer.h"
+#include "SkeletonBridge.h"
+#include "SkeletonFrame.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -30,6 +33,38 @@ void Check(const std::string& error)
   {
     throw std::runtime_error(error);
   }
+}
+
+marrow::AnalyzedSide AnalyzeOneBody(vtkPolyData* mesh)
+{
+  marrow::AnalyzedSide side;
+  Check(marrow::AnalyzeSide(mesh, nullptr, side, {}));
+  return side;
+}
+
+/// The clean mesh of one body as its file has it, where the figures draw it: not in the canonical frame.
+marrow::AnalyzedMesh InOwnFrame(vtkPolyData* mesh, const marrow::AnalyzedSide& side)
+{
+  const marrow::Body& body = side.Surface.Bodies.front();
+  const marrow::AnalyzedMesh& framed = side.Bodies.front();
+  marrow::AnalyzedMesh own;
+  Check(marrow::ToTriangleMesh(mesh, own.Mesh));
+  const std::size_t size = own.Mesh.Points.size();
+  own.NodeOfVertex.resize(size);
+  own.MSP.resize(size);
+  own.GradientMagnitude.resize(size);
+  own.DihedralAngle.resize(size);
+  for (std::size_t v = 0; v < body.OriginalVertex.size(); ++v)
+  {
+    const int vertex = body.OriginalVertex[v];
+    own.NodeOfVertex[vertex] = framed.NodeOfVertex[v];
+    own.MSP[vertex] = body.Frame.LengthFromFrame(framed.MSP[v]);
+    own.GradientMagnitude[vertex] = framed.GradientMagnitude[v];
+    own.DihedralAngle[vertex] = framed.DihedralAngle[v];
+  }
+  own.Skeleton = marrow::FromFrame(framed.Skeleton, body.Frame);
+  marrow::SetNodeOfVertices(own.Skeleton, own.NodeOfVertex);
+  return own;
 }
 
 /// Pictures side by side or one below the other, centred, on white.
@@ -110,26 +145,21 @@ Prepared Prepare(vtkPolyData* mesh)
 
 marrow::AnalyzedMesh Analyze(vtkPolyData* mesh)
 {
-  marrow::AnalyzedMesh analyzed;
-  vtkNew<vtkSegmentationTransfer> filter;
-  marrow::TransferSide side = { "Mesh", mesh, nullptr };
-  Check(marrow::CompleteSide(filter, 0.0, 1.0, side, analyzed));
-  return analyzed;
+  return InOwnFrame(mesh, AnalyzeOneBody(mesh));
 }
 
 Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
 {
   Matched matched;
-  vtkNew<vtkSegmentationTransfer> filter;
-  marrow::TransferSide sides[2] = { { "Source", source, nullptr }, { "Target", target, nullptr } };
-  Check(marrow::CompleteSide(filter, 0.0, 0.4, sides[0], matched.SourceMesh));
-  Check(marrow::CompleteSide(filter, 0.4, 0.8, sides[1], matched.TargetMesh));
-  marrow::CorrespondenceIds ids;
-  double confidence = 0.0;
-  Check(marrow::ReadCorrespondence(filter, 0.8, 1.0, sides[0], sides[1], ids, confidence));
-  matched.Match = marrow::JoinChains(matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton, ids);
-  matched.Source = { sides[0].Mesh, sides[0].Skeleton };
-  matched.Target = { sides[1].Mesh, sides[1].Skeleton };
+  matched.Source = Prepare(source);
+  matched.Target = Prepare(target);
+  const marrow::AnalyzedSide sourceSide = AnalyzeOneBody(matched.Source.Mesh);
+  const marrow::AnalyzedSide targetSide = AnalyzeOneBody(matched.Target.Mesh);
+  const marrow::Partner partner = marrow::FindPartner(sourceSide, targetSide.Bodies.front(), {});
+  matched.SourceMesh = InOwnFrame(source, sourceSide);
+  matched.TargetMesh = InOwnFrame(target, targetSide);
+  matched.Match =
+    marrow::JoinChains(matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton, partner.Ids);
   return matched;
 }
 

@@ -3,9 +3,11 @@
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "InputCheck.h"
 #include "LabelBridge.h"
-#include "MeshBridge.h"
 #include "SegmentationScores.h"
+#include "SurfaceBridge.h"
+#include "SurfaceMending.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -19,6 +21,7 @@
 #include <vtkTable.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSegmentationMetrics);
@@ -37,6 +40,36 @@ std::string ToSegments(
   }
   const std::string error = marrow::ToLabels(array, mesh->GetNumberOfCells(), "cell", segments);
   return error.empty() ? error : "The " + role + ": " + error;
+}
+
+/// The faces as they are, seams and twins mended so that boundaries do not end at them. What fills holes is
+/// no face.
+std::string ToFaces(
+  vtkPolyData* input, marrow::TriangleMesh& mesh, std::vector<int>& faceOfTriangle)
+{
+  const marrow::SurfaceOfPolyData surface = marrow::ToPolygonMesh(input);
+  const std::string error = marrow::CheckInput(surface.Mesh);
+  if (!error.empty())
+  {
+    return error;
+  }
+  marrow::Mending mending;
+  marrow::SurfaceReport report;
+  marrow::MendSurface(surface.Mesh, mending, report);
+  marrow::MendedMesh& mended = mending.Result;
+  std::vector<char> isFace;
+  for (int cell : mended.CellOfTriangle)
+  {
+    isFace.push_back(cell >= 0 ? 1 : 0);
+  }
+  mended.KeepTriangles(isFace);
+  mesh = std::move(mended.Mesh);
+  mesh.BuildConnectivity();
+  for (int polygon : mended.CellOfTriangle)
+  {
+    faceOfTriangle.push_back(surface.CellOfPolygon[polygon]);
+  }
+  return {};
 }
 }
 
@@ -69,8 +102,8 @@ int vtkSegmentationMetrics::RequestData(vtkInformation* vtkNotUsed(request),
 
   marrow::SegmentationScores scores;
   marrow::TriangleMesh mesh;
-  std::vector<int> segments, referenceSegments;
-  std::string error = marrow::ToTriangleMesh(input, mesh);
+  std::vector<int> faceOfTriangle, segments, referenceSegments;
+  std::string error = ToFaces(input, mesh, faceOfTriangle);
   if (error.empty() && input->GetNumberOfCells() != reference->GetNumberOfCells())
   {
     error = "The segmentation has " + std::to_string(input->GetNumberOfCells()) +
@@ -87,13 +120,13 @@ int vtkSegmentationMetrics::RequestData(vtkInformation* vtkNotUsed(request),
     error = ToSegments(
       this->GetInputArrayToProcess(1, inputVector), reference, "reference", referenceSegments);
   }
-  if (error.empty() && !(marrow::SurfaceArea(mesh) > 0.0))
+  if (error.empty() && faceOfTriangle.empty())
   {
     error = "The mesh has no area; check its points.";
   }
   if (error.empty())
   {
-    scores = marrow::CompareSegmentations(mesh, segments, referenceSegments);
+    scores = marrow::CompareSegmentations(mesh, faceOfTriangle, segments, referenceSegments);
   }
   this->CutDiscrepancy = scores.CutDiscrepancy;
   this->HammingDistance = scores.HammingDistance;

@@ -31,14 +31,14 @@
  * one has. On meshes of several components, boundaries on a component where the other has none do
  * not count.
  *
- * Input port 0: the segmented triangle mesh; port 1: the reference, the same mesh with other ids.
+ * Input port 0: the segmented mesh, of any polygons; port 1: the reference, the same mesh with other ids.
  * Read of each: an integer cell array, "SegmentId" or what SetInputArrayToProcess(0, ...) and
  * SetInputArrayToProcess(1, ...) select. Geometry is taken from port 0.
  *
  * Output: a vtkTable of one row, a column (double) for each measure by its name above. The getters
  * give the same values; they are 0 until the filter has run without error.
  *
- * Errors: no triangles, cells other than triangles, points that are not finite, no area; a segment
+ * Errors: no face, points in use that are not finite, no area; a segment
  * array that is missing or not one value per cell; numbers of cells that differ.
  *
  * @sa vtkSegmentationTransfer

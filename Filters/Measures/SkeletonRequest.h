@@ -15,21 +15,22 @@ namespace marrow
 {
 struct MeshReport;
 struct Skeleton;
-struct SkeletonMeasures;
 struct TriangleMesh;
+struct VertexMeasures;
 
 /// What tells one such filter from another.
 struct SkeletonRequest
 {
-  /// One sentence on what more than a manifold the filter asks of a mesh; empty if the mesh has it.
+  /// Of the working surface; 0: as many as there are.
+  int MaximumFaces = 0;
+  /// One sentence on what more than a manifold the filter asks of a body; empty if the body has it.
   std::function<std::string(const MeshReport&)> Check = [](const MeshReport&)
   { return std::string(); };
   /// Where the filter's progress is when the measures are there.
   double ProgressAfterMeasures = 0.5;
-  /// Makes the skeleton with φ and the measures of its nodes. One sentence on what is wrong, or an
-  /// empty one.
-  std::function<std::string(
-    const TriangleMesh&, const SkeletonMeasures&, const Progress&, Skeleton&)>
+  /// Makes the skeleton of a body with φ and the measures of its nodes. One sentence on what is wrong,
+  /// or an empty one.
+  std::function<std::string(const TriangleMesh&, const VertexMeasures&, const Progress&, Skeleton&)>
     Compute;
 };
 

@@ -21,7 +21,12 @@
  * - The gradient of MSP (transfer paper 3.4), large where the thickness changes.
  * - The dihedral angle (transfer paper 4.4).
  *
- * Ports: input 0 is a triangle mesh, output 0 the same mesh, its points, cells and arrays untouched,
+ * Any mesh will do. One that is no clean manifold of triangles is measured on its working surface
+ * (vtkWorkingSurface) at full resolution, or simplified to MaximumFaces where that is set; a clean one
+ * that lies within MaximumFaces is measured as it is. The points of the input take the measures of
+ * the vertices that they became or lie nearest to. Each body of the mesh is measured by itself.
+ *
+ * Ports: input 0 is any mesh, output 0 the same mesh, its points, cells and arrays untouched,
  * with these point arrays added or replaced:
  *
  * - AGD, double: average geodesic distance, in [0,1] per connected component; 0 throughout one where
@@ -38,20 +43,20 @@
  *
  * Slices that meet a border of the mesh are followed to the border both ways and closed by the
  * chord between the ends; they count only at vertices where no slice closes by itself. Vertices
- * without any slice (no area round them) take the mean of their neighbours. Points that no triangle
+ * without any slice (no area round them) take the mean of their neighbours. Points that no face
  * uses get AGD, MSP, gradient and dihedral angle 0 and themselves as the slice centre. No value is
  * ever NaN.
  *
- * The result is the same, bit for bit, on any number of threads. It turns, moves and scales with
- * the mesh, and does not depend on the order of points and cells, up to rounding and, for the
- * sampled AGD, the choice among equally far samples.
+ * The field array WorkingSurfaceNote (a string) says what was mended; it is absent if nothing was.
  *
- * Errors: an empty mesh; cells other than triangles; points that are not finite; triangles that use
- * a point twice; edges with more than two triangles or with two of opposite orientation; vertices
- * where separate fans touch. The message says how many, where the first is, and the remedy. Open
- * meshes and several components are no error.
+ * The result is the same, bit for bit, on any number of threads. It turns, moves and scales with the
+ * mesh and does not depend on the order of points and cells: each body is measured in its canonical
+ * frame (centroid, principal axes, root mean square radius), on whose grid rounding plays no part.
  *
- * @sa vtkMSPSkeleton
+ * Errors: those of vtkWorkingSurface (no face, points in use that are not finite). The message says how
+ * many and where the first is.
+ *
+ * @sa vtkMSPSkeleton vtkWorkingSurface
  */
 class MARROWMEASURES_EXPORT vtkMSPField : public vtkPolyDataAlgorithm
 {
@@ -88,6 +93,16 @@ public:
   void SetAGDMethodToAllPairs() { this->SetAGDMethod(ALL_PAIRS); }
   ///@}
 
+  ///@{
+  /**
+   * A mesh of more faces than this is measured on its working surface of so many (vtkWorkingSurface), and
+   * the measures are interpolated to its points. 0: every mesh is measured at every vertex.
+   * Default 0, range 0 to VTK_INT_MAX.
+   */
+  vtkSetClampMacro(MaximumFaces, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumFaces, int);
+  ///@}
+
 protected:
   vtkMSPField() = default;
   ~vtkMSPField() override = default;
@@ -97,6 +112,7 @@ protected:
 
   int NumberOfSlices = 12;
   int AGDMethod = SAMPLED;
+  int MaximumFaces = 0;
 
 private:
   vtkMSPField(const vtkMSPField&) = delete;

@@ -19,11 +19,11 @@ int vtkMSPSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   marrow::SkeletonRequest request;
+  request.MaximumFaces = this->MaximumFaces;
   // Most of the time goes into the measures.
   request.ProgressAfterMeasures = 0.6;
-  request.Compute = [this](const marrow::TriangleMesh& mesh,
-                      const marrow::SkeletonMeasures& measures, const marrow::Progress& progress,
-                      marrow::Skeleton& skeleton)
+  request.Compute = [this](const marrow::TriangleMesh& mesh, const marrow::VertexMeasures& measures,
+                      const marrow::Progress& progress, marrow::Skeleton& skeleton)
   {
     skeleton = marrow::ComputeMSPSkeleton(
       mesh, measures, this->FinestArea, this->NodeSpacing * mesh.BoundingBoxDiagonal(), progress);
@@ -37,4 +37,5 @@ void vtkMSPSkeleton::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FinestArea: " << this->FinestArea << "\n";
   os << indent << "NodeSpacing: " << this->NodeSpacing << "\n";
+  os << indent << "MaximumFaces: " << this->MaximumFaces << "\n";
 }

@@ -24,9 +24,10 @@
  * - Regular nodes are evened out, stand in the middle of their ring, inside the surface; terminals
  *   reach for the tip.
  *
- * Input port 0: a manifold triangle mesh, with the point arrays AGD, MSP, MSPCenter and MSPValid of
- * vtkMSPField; where one of them is missing, vtkMSPField is run with its defaults. The mesh may be
- * open (a border is treated as if it were closed by a fan) and have several components.
+ * Input port 0: any mesh, with the point arrays AGD, MSP, MSPCenter and MSPValid of vtkMSPField; where
+ * one of them is missing, they are computed with that filter's defaults. The skeleton is that of the
+ * working surface (vtkWorkingSurface), a skeleton for each of its bodies. The mesh may be open: a border
+ * is treated as if it were closed by a fan.
  *
  * Output port 0: the skeleton. Points are nodes, in double; cells are polylines, one for each branch
  * between two feature nodes (terminals, junctions); a cycle without one is a closed polyline.
@@ -42,13 +43,14 @@
  * | MeshDiagonal, MeshMaximumMSP | field | double | of the mesh, mesh units |
  *
  * Output port 1: the input mesh, points and cells and arrays as they were, the arrays of vtkMSPField,
- * and the point array SkeletonNodeId (vtkIdType): the skeleton point whose φ holds the vertex, -1 for
- * points that no triangle uses.
+ * and the point array SkeletonNodeId (vtkIdType): the skeleton point whose φ holds the vertex that the
+ * point became or lies nearest to; -1 for points that no face uses. The field array WorkingSurfaceNote
+ * (a string) says what was mended; it is absent if nothing was.
  *
  * Errors: those of vtkMSPField; the outputs are then empty. A mesh whose measures are there but not
  * finite is an error that names the array and the point.
  *
- * @sa vtkMSPField vtkSkeletonCorrespondence
+ * @sa vtkMSPField vtkSkeletonCorrespondence vtkWorkingSurface
  */
 class MARROWSKELETON_EXPORT vtkMSPSkeleton : public vtkPolyDataAlgorithm
 {
@@ -76,6 +78,15 @@ public:
   vtkGetMacro(NodeSpacing, double);
   ///@}
 
+  ///@{
+  /**
+   * The most faces of the working surface on which the skeleton is made: finer meshes are simplified to
+   * so many first. 0: never. Default 60000, range 0 to VTK_INT_MAX.
+   */
+  vtkSetClampMacro(MaximumFaces, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumFaces, int);
+  ///@}
+
 protected:
   vtkMSPSkeleton();
   ~vtkMSPSkeleton() override = default;
@@ -85,6 +96,7 @@ protected:
 
   double FinestArea = 0.004;
   double NodeSpacing = 0.012;
+  int MaximumFaces = 60000;
 
 private:
   vtkMSPSkeleton(const vtkMSPSkeleton&) = delete;

@@ -23,15 +23,10 @@ int vtkMeanCurvatureSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
 {
   marrow::SkeletonRequest request;
   // What CGAL's flow asks of a mesh.
-  request.Check = [](const marrow::MeshReport& report)
-  {
-    const std::string error = report.ClosedError();
-    return error.empty() ? report.ConnectedError() : error;
-  };
+  request.Check = [](const marrow::MeshReport& report) { return report.ClosedError(); };
   request.ProgressAfterMeasures = 0.1;
-  request.Compute = [this](const marrow::TriangleMesh& mesh,
-                      const marrow::SkeletonMeasures& measures, const marrow::Progress& progress,
-                      marrow::Skeleton& skeleton)
+  request.Compute = [this](const marrow::TriangleMesh& mesh, const marrow::VertexMeasures& measures,
+                      const marrow::Progress& progress, marrow::Skeleton& skeleton)
   {
     marrow::MeanCurvatureWeights weights;
     weights.QualitySpeedTradeoff = this->QualitySpeedTradeoff;

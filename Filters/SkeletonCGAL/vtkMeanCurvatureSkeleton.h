@@ -19,9 +19,10 @@
  * Ports and arrays are those of vtkMSPSkeleton, so the one can stand for the other in front of
  * vtkSkeletonCorrespondence and vtkSegmentationTransfer.
  *
- * Input port 0: a closed, manifold triangle mesh of one component, with the point arrays AGD, MSP,
- * MSPCenter and MSPValid of vtkMSPField; where one of them is missing, vtkMSPField is run with its
- * defaults. The contraction itself reads the positions only.
+ * Input port 0: a mesh whose working surface (vtkWorkingSurface, at full resolution) is closed, with the
+ * point arrays AGD, MSP, MSPCenter and MSPValid of vtkMSPField; where one of them is missing, they are
+ * computed with that filter's defaults. The contraction itself reads the positions only, and is run on
+ * each body.
  *
  * Output port 0: the skeleton. Points are nodes, in double; cells are polylines, one for each branch
  * between two feature nodes (terminals, junctions); a cycle without one is a closed polyline.
@@ -38,14 +39,14 @@
  *
  * Output port 1: the input mesh, points and cells and arrays as they were, the arrays of vtkMSPField,
  * and the point array SkeletonNodeId (vtkIdType): the skeleton point whose φ holds the vertex, -1 for
- * points that no triangle uses.
+ * points that no face uses.
  *
  * The number of loops of the skeleton is the genus of the mesh in general, but CGAL does not promise
  * it: handles of few triangles and short tunnels are lost. The result is the same in every run:
  * where CGAL (before 6.0) collapses edges in the order of their addresses in memory, they are put in
  * the order of their numbers. An abort is looked for between the steps of the contraction.
  *
- * Errors: those of vtkMSPField; a mesh with a border; a mesh of several components; measures that
+ * Errors: those of vtkMSPField; a mesh with an opening that is no small hole; measures that
  * are there but not finite; a mesh on which the contraction does not end in a curve. The skeleton is
  * then empty.
  *

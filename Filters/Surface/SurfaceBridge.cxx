@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceBridge.h"
 
+#include "ArrayNames.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 
 namespace marrow
 {
@@ -70,5 +75,13 @@ SurfaceOfPolyData ToPolygonMesh(vtkPolyData* input)
       }
     });
   return result;
+}
+
+void SetNote(const std::string& sentence, vtkPolyData* output)
+{
+  vtkNew<vtkStringArray> note;
+  note->SetName(names::WorkingSurfaceNote);
+  note->InsertNextValue(sentence);
+  output->GetFieldData()->AddArray(note);
 }
 }

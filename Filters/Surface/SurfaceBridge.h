@@ -22,6 +22,9 @@ struct SurfaceOfPolyData
 
 /// Copies the faces. Point ids that do not exist are copied as -1.
 SurfaceOfPolyData ToPolygonMesh(vtkPolyData* input);
+
+/// Says in the field data what was mended: the array WorkingSurfaceNote.
+void SetNote(const std::string& sentence, vtkPolyData* output);
 }
 
 #endif

@@ -18,7 +18,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
 vtkStandardNewMacro(vtkWorkingSurface);
 
@@ -43,32 +42,16 @@ void SetTriangles(const marrow::TriangleMesh& mesh, vtkPolyData* output)
   output->SetPolys(triangles);
 }
 
-void SetReport(const marrow::WorkingSurface& surface, int numberOfOtherCells, vtkPolyData* output)
+void SetReport(const marrow::WorkingSurface& surface, vtkPolyData* output)
 {
-  vtkFieldData* fields = output->GetFieldData();
-  auto addCount = [&](const char* name, int count)
-  {
-    vtkNew<vtkIntArray> array;
-    array->SetName(name);
-    array->InsertNextValue(count);
-    fields->AddArray(array);
-  };
   for (const auto& entry : surface.Report.Entries())
   {
-    addCount(entry.Name, entry.Count);
+    vtkNew<vtkIntArray> count;
+    count->SetName(entry.Name);
+    count->InsertNextValue(entry.Count);
+    output->GetFieldData()->AddArray(count);
   }
-  addCount(marrow::names::NumberOfOtherCells, numberOfOtherCells);
-  vtkNew<vtkStringArray> note;
-  note->SetName(marrow::names::WorkingSurfaceNote);
-  std::string sentence = surface.Sentence();
-  if (numberOfOtherCells > 0)
-  {
-    sentence += (sentence.empty() ? "" : ", ") + std::string("passed over ") +
-      std::to_string(numberOfOtherCells) +
-      (numberOfOtherCells == 1 ? " vertex or line cell" : " vertex and line cells");
-  }
-  note->InsertNextValue(sentence);
-  fields->AddArray(note);
+  marrow::SetNote(surface.Sentence(), output);
 }
 }
 
@@ -99,6 +82,7 @@ int vtkWorkingSurface::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< error);
     return 0;
   }
+  surface.Report.OtherCells = faces.NumberOfOtherCells;
   mapped->ShallowCopy(input);
   if (marrow::IsAborted(this))
   {
@@ -127,8 +111,8 @@ int vtkWorkingSurface::RequestData(vtkInformation* vtkNotUsed(request),
   }
   marrow::SetIdArray(mapped->GetCellData(), marrow::names::WorkingTriangleId, triangleOfCell);
   marrow::SetIdArray(mapped->GetPointData(), marrow::names::WorkingVertexId, surface.VertexOfPoint);
-  SetReport(surface, faces.NumberOfOtherCells, working);
-  SetReport(surface, faces.NumberOfOtherCells, mapped);
+  SetReport(surface, working);
+  SetReport(surface, mapped);
   return 1;
 }
 

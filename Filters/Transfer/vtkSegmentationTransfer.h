@@ -30,9 +30,11 @@
  * surfaces together no better than their principal axes do (a bust, a machine part), the meshes are
  * aligned as wholes, with a warning and half the confidence (at most 0.1 where nothing is matched).
  *
- * Any mesh will do where no skeleton is connected: one that is no clean manifold of triangles, or finer
- * than needed, is carried over by its working surface (vtkWorkingSurface), body by body, and the segments
- * go back to the cells of the input, each and in order. Vertex and line cells get the segment -1.
+ * Any mesh will do. The method runs on the working surfaces of both meshes (vtkWorkingSurface, of at most
+ * vtkMSPSkeleton's MaximumFaces), each body in its canonical frame, and the segments go back to the cells
+ * of the input, each and in order. Each body of the target takes its segments from the body of the source
+ * that matches it at the least cost. Where a skeleton is connected, which belongs to a mesh as a whole, the
+ * mesh is one body. Vertex and line cells get the segment -1.
  *
  * Ports in:
  * - 0, source mesh: polygons; the segments are the cell array "SegmentId" (any integers), or that
@@ -40,14 +42,16 @@
  * - 1, target mesh: polygons;
  * - 2, source skeleton (optional), 3, target skeleton (optional), of vtkMSPSkeleton or the like. A
  *   mesh whose skeleton is connected must have the point array SkeletonNodeId (vtkIdType) of that
- *   skeleton. Without a skeleton, vtkMSPSkeleton is run with its defaults.
+ *   skeleton. Without one, it is computed with the defaults of vtkMSPSkeleton.
  *
- * Read from the meshes, and computed by vtkMSPField with its defaults where one of them is missing:
- * point arrays MSP (double, mesh units), MSPGradient (double x 3), DihedralAngle (double, radians).
+ * Read from the meshes, and computed with the defaults of vtkMSPField where one of them is missing:
+ * point arrays MSP (double, mesh units), MSPGradient (double x 3), DihedralAngle (double, radians); for
+ * the skeleton also AGD, MSPCenter and MSPValid. What is found out about a mesh is kept as long as the
+ * mesh is the same, so that one filter carries a source to many targets without doing it again.
  * Read from the skeletons: CorrespondenceId (points) and BranchCorrespondenceId (cells) and, if
  * there, BranchCorrespondenceOrder and BranchCorrespondenceReversed (cells); the field array
- * CorrespondenceConfidence (double in [0,1], 1 if absent). If either skeleton lacks the first two,
- * vtkSkeletonCorrespondence is run with its defaults.
+ * CorrespondenceConfidence (double in [0,1], 1 if absent). If either skeleton lacks the first two, they are
+ * found with the defaults of vtkSkeletonCorrespondence.
  *
  * Ports out:
  * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays
@@ -67,13 +71,15 @@
  *
  * Errors: a source without the segment array (the message names those there are), or with one of
  * another size, more than one component, values that are no integers, or more than 500 connected
- * pieces of segments (noise); a mesh without a face, or with a point in use that is not finite; where a
- * skeleton is connected, also cells other than triangles, or no oriented manifold; a skeleton that is not one, or does not belong to its mesh (SkeletonNodeId
- * is missing or out of range). Open meshes and several components are no error. The message names the
- * side and says what to do.
+ * pieces of segments (noise); a mesh without a face, or with a point in use that is not finite; a skeleton
+ * that is not one, or does not belong to its mesh (SkeletonNodeId is missing or out of range). The message
+ * names the side and says what to do.
  *
- * The result is the same, bit for bit, on any number of threads. Lengths are relative to the
- * meshes, so units do not matter.
+ * The field array WorkingSurfaceNote (a string) of the outputs 0 and 1 says what was mended in the target
+ * and in the source; it is absent if nothing was.
+ *
+ * The result is the same, bit for bit, on any number of threads, and however the meshes are placed, turned
+ * and scaled and their points and cells numbered.
  *
  * @sa vtkMSPField vtkMSPSkeleton vtkSkeletonCorrespondence
  */
@@ -82,6 +88,8 @@
 
 #include "MarrowTransferModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
 
 class MARROWTRANSFER_EXPORT vtkSegmentationTransfer : public vtkPolyDataAlgorithm
 {
@@ -148,7 +156,7 @@ public:
 
 protected:
   vtkSegmentationTransfer();
-  ~vtkSegmentationTransfer() override = default;
+  ~vtkSegmentationTransfer() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -158,15 +166,14 @@ private:
   vtkSegmentationTransfer(const vtkSegmentationTransfer&) = delete;
   void operator=(const vtkSegmentationTransfer&) = delete;
 
-  /// Transfers body by body over the working surfaces. -1 if both meshes are one body that needs no
-  /// mending: then there is nothing to do but the transfer itself.
-  int TransferBodies(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
-
   bool StrictBoundaries = false;
   double Theta = 1.5;
   double Kernel = 0.05;
   double Lambda = 0.1;
   double SearchRegion = 0.02;
+
+  struct Analysis;
+  std::unique_ptr<Analysis> Analyzed;
 };
 
 #endif

@@ -59,8 +59,7 @@ vtkSmartPointer<vtkPolyData> Mesh(int faces)
 TriangleMesh PlainMesh(int faces)
 {
   TriangleMesh mesh;
-  MeshReport report;
-  const std::string error = ToManifoldMesh(Mesh(faces), mesh, report);
+  const std::string error = ToTriangleMesh(Mesh(faces), mesh);
   if (!error.empty())
   {
     std::cerr << error << std::endl;

@@ -107,7 +107,7 @@ protected:
   {
     std::ofstream file(this->Folder / name);
     file << "OFF\n" << mesh->GetNumberOfPoints() << " " << mesh->GetNumberOfCells() << " 0\n";
-    file.precision(9);
+    file.precision(17);
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
       const double* p = mesh->GetPoint(i);

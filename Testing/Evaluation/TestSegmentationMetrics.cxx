@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ArrayNames.h"
 #include "ErrorObserver.h"
 #include "MeshBridge.h"
 #include "TestShapes.h"
@@ -295,4 +296,60 @@ TEST(SegmentationMetrics, MissingReferenceIsAnError)
   metrics->Update();
   EXPECT_FALSE(errors.Errors.empty());
 }
+}
+
+TEST(SegmentationMetrics, APolygonIsOneFaceAndABoundaryDoesNotEndAtASeam)
+{
+  // The sides of a box round z, of four quads each, and the same cut into triangles. Of the quads every
+  // corner is there for itself, as where a texture has a seam.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  TriangleMesh triangles;
+  std::vector<int> ofQuads, ofTriangles, referenceOfQuads, referenceOfTriangles;
+  for (int level = 0; level < 5; ++level)
+  {
+    for (const auto& corner : { std::pair(1, 1), { -1, 1 }, { -1, -1 }, { 1, -1 } })
+    {
+      triangles.Points.emplace_back(corner.first, corner.second, level);
+    }
+  }
+  for (int level = 0; level < 4; ++level)
+  {
+    for (int side = 0; side < 4; ++side)
+    {
+      const int a = 4 * level + side;
+      const int b = 4 * level + (side + 1) % 4;
+      polygons->InsertNextCell(4);
+      for (int corner : { a, b, b + 4, a + 4 })
+      {
+        polygons->InsertCellPoint(points->InsertNextPoint(triangles.Points[corner].data()));
+      }
+      triangles.Triangles.push_back({ a, b, b + 4 });
+      triangles.Triangles.push_back({ a, b + 4, a + 4 });
+      ofQuads.push_back(level < 1 ? 0 : 1);
+      referenceOfQuads.push_back(level < 3 ? 0 : 1);
+      ofTriangles.insert(ofTriangles.end(), 2, ofQuads.back());
+      referenceOfTriangles.insert(referenceOfTriangles.end(), 2, referenceOfQuads.back());
+    }
+  }
+  triangles.BuildConnectivity();
+  const auto quads = [&](const std::vector<int>& segments)
+  {
+    auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    mesh->SetPoints(points);
+    mesh->SetPolys(polygons);
+    SetIntArray(mesh->GetCellData(), names::SegmentId, segments);
+    return mesh;
+  };
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetInputData(0, quads(ofQuads));
+  metrics->SetInputData(1, quads(referenceOfQuads));
+  metrics->Update();
+  const auto expected = Compare(triangles, ofTriangles, referenceOfTriangles);
+  EXPECT_NEAR(metrics->GetLabelAccuracy(), 0.5, 1e-12);
+  EXPECT_NEAR(metrics->GetHammingDistance(), expected->GetHammingDistance(), 1e-12);
+  EXPECT_NEAR(metrics->GetBoundaryDistance(), expected->GetBoundaryDistance(), 1e-12);
+  EXPECT_GT(metrics->GetBoundaryDistance(), 0.0);
+  // Pairs of faces: 4 of 16 against 12 of 16, not 8 of 32 against 24.
+  EXPECT_NEAR(metrics->GetRandError(), (4.0 * 8.0 + 4.0 * 8.0) / 120.0, 1e-12);
 }

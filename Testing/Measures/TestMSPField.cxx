@@ -229,28 +229,66 @@ TEST(MSPField, AcceptsOpenMeshesAndSeveralComponents)
 TEST(MSPField, SaysWhatIsWrong)
 {
   vtkNew<vtkPolyData> empty;
-  ExpectError(empty, "The mesh is empty");
-
-  auto quads = ToPolyData(MakeSphere(1.0, 1));
-  vtkNew<vtkCellArray> polygons;
-  polygons->InsertNextCell({ 0, 2, 4 });
-  polygons->InsertNextCell({ 0, 2, 1, 4 });
-  quads->SetPolys(polygons);
-  ExpectError(quads, "1 polygons that are not triangles (the first is cell 1)");
-
-  TriangleMesh fin = MakeSphere(1.0, 1);
-  fin.Points.push_back({ 3.0, 3.0, 3.0 });
-  const auto t = fin.Triangles[0];
-  fin.Triangles.push_back({ t[0], t[1], fin.NumberOfVertices() - 1 });
-  ExpectError(ToPolyData(fin), "edge with more than two triangles");
-
-  TriangleMesh flipped = MakeSphere(1.0, 1);
-  std::swap(flipped.Triangles[0][0], flipped.Triangles[0][1]);
-  ExpectError(ToPolyData(flipped), "oriented against each other");
+  ExpectError(empty, "The mesh has no face");
 
   TriangleMesh infinite = MakeSphere(1.0, 1);
   infinite.Points[2].x() = std::nan("");
   ExpectError(ToPolyData(infinite), "not finite");
+}
+
+TEST(MSPField, MeasuresWhatIsNoCleanMeshByItsWorkingSurface)
+{
+  const auto expectMended = [](vtkPolyData* mesh, const std::string& note)
+  {
+    vtkNew<vtkMSPField> filter;
+    ErrorObserver errors(filter);
+    filter->SetInputData(mesh);
+    filter->Update();
+    EXPECT_TRUE(errors.Text().empty()) << errors.Text();
+    vtkPolyData* output = filter->GetOutput();
+    EXPECT_EQ(output->GetPolys(), mesh->GetPolys());
+    vtkAbstractArray* said = output->GetFieldData()->GetAbstractArray("WorkingSurfaceNote");
+    ASSERT_TRUE(said);
+    EXPECT_EQ(said->GetVariantValue(0).ToString(), note);
+    // The sphere's measure at each of its points.
+    vtkDataArray* perimeters = output->GetPointData()->GetArray("MSP");
+    for (vtkIdType i = 0; i < MakeSphere(1.0, 3).NumberOfVertices(); ++i)
+    {
+      EXPECT_NEAR(perimeters->GetTuple1(i), 2.0 * Pi, 0.2) << i;
+    }
+  };
+  TriangleMesh fin = MakeSphere(1.0, 3);
+  fin.Triangles.push_back(fin.Triangles[0]);
+  expectMended(ToPolyData(fin), "left out 1 face that is there twice");
+
+  TriangleMesh flipped = MakeSphere(1.0, 3);
+  std::swap(flipped.Triangles[0][0], flipped.Triangles[0][1]);
+  expectMended(ToPolyData(flipped), "turned 1 face");
+}
+
+TEST(MSPField, AFineMeshMayBeMeasuredOnACoarseSurface)
+{
+  const TriangleMesh fine = MakeCylinder(1.0, 12.0, 60, 200);
+  vtkNew<vtkMSPField> exact;
+  exact->SetInputData(ToPolyData(fine));
+  exact->Update();
+  vtkNew<vtkMSPField> coarse;
+  coarse->SetInputData(ToPolyData(fine));
+  coarse->SetMaximumFaces(3000);
+  coarse->Update();
+  vtkDataArray* expected = exact->GetOutput()->GetPointData()->GetArray("MSP");
+  vtkDataArray* found = coarse->GetOutput()->GetPointData()->GetArray("MSP");
+  ASSERT_EQ(found->GetNumberOfTuples(), fine.NumberOfVertices());
+  int distinct = 0;
+  for (int v = 0; v < fine.NumberOfVertices(); ++v)
+  {
+    if (std::abs(fine.Points[v].z()) < 5.0)
+    {
+      EXPECT_NEAR(found->GetTuple1(v), expected->GetTuple1(v), 0.1 * expected->GetTuple1(v)) << v;
+      distinct += found->GetTuple1(v) != expected->GetTuple1(v);
+    }
+  }
+  EXPECT_GT(distinct, 0); // or it was not simplified
 }
 
 // Of several threads the one that reports may have to wait for the others; alone it reports each step.

@@ -36,11 +36,14 @@ marrow.render(pair.source, pair.target, color_skeleton_by="correspondence", show
 again = marrow.transfer(pair.source, pair.target)
 print(marrow.evaluate(again, labelled.segments).rand_error)
 
-broken = (points, np.vstack([faces, faces[:1]]))
+broken = (points * np.nan, faces)
 try:
     marrow.skeleton(broken, finest_area=0.002)
 except marrow.Error as error:
-    print(error)  # skeleton: The mesh has 3 edges with more than two triangles (the first at ...
+    print(error)  # skeleton: The mesh has 10 points in use whose coordinates are not finite ...
+
+twice = marrow.skeleton((points, np.vstack([faces, faces[:1]])))
+print(twice.mesh.note)  # left out 1 face that is there twice
 
 steps = []
 marrow.measure(camel, progress=steps.append)

@@ -52,7 +52,7 @@ class TestExamples(unittest.TestCase):
     def test_collection(self):
         folder = OUTPUT / "collection"
         bad = OUTPUT / "bad.off"
-        bad.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n")
+        bad.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")
         text = self.run_example(
             "collection", CAMEL, camels_segments(), folder,
             *(MESHES / f"{name}.off" for name in ("cow", "bull", "triceratops", "dino")), bad,

@@ -66,9 +66,16 @@ class TestFiles(unittest.TestCase):
         marrow.write(skeleton, path)
         self.assertGreater(path.stat().st_size, 1000)
 
-    def test_polygons_become_triangles_and_repeated_corners_one(self):
+    def test_polygons_stay_and_repeated_corners_become_one(self):
         (self.folder / "quad.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
-        self.assertEqual(len(marrow.read(self.folder / "quad.obj").faces), 2)
+        self.assertEqual(marrow.read(self.folder / "quad.obj").faces.tolist(), [[0, 1, 2, 3]])
+        (self.folder / "house.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\n"
+                                               "f 1 2 3 4\nf 4 3 5\n")
+        house = marrow.read(self.folder / "house.obj")
+        self.assertEqual(house.faces.tolist(), [[0, 1, 2, 3], [3, 2, 4, -1]])
+        measured = marrow.measure((house.points, house.faces))
+        self.assertEqual(measured.faces.tolist(), house.faces.tolist())
+        self.assertEqual(measured.note, "cut 1 polygon into triangles")
         facet = "facet normal 0 0 1\nouter loop\n{}endloop\nendfacet\n"
         corners = ["vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n",
                    "vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n"]

@@ -113,7 +113,7 @@ class TestMesh(unittest.TestCase):
         for mesh, kind, text in (
             ((points[:, :2], faces), marrow.Error,
              r"points must have the shape \(n, 3\), not \(4, 2\)"),
-            ((points, faces[0]), marrow.Error, r"faces must have the shape \(m, 3\), not \(3,\)"),
+            ((points, faces[0]), marrow.Error, r"faces must have the shape \(m, 3\) or \(m, k > 3\), not \(3,\)"),
             ((points, faces + 0.5), TypeError, "faces must be integers, not float64"),
             ((points, faces + 1), marrow.Error,
              "3 faces name a point that does not exist, the first is face 1: indices run from 0 to 3"),
@@ -124,11 +124,11 @@ class TestMesh(unittest.TestCase):
             with self.assertRaisesRegex(kind, text):
                 marrow.measure(mesh)
 
-    def test_quads_are_refused_by_their_view(self):
+    def test_lines_are_no_faces(self):
         polydata = vtkPolyData()
         polydata.ShallowCopy(marrow.measure(tetrahedron()).polydata)
         polydata.SetLines(polydata.GetPolys())
-        with self.assertRaisesRegex(marrow.Error, "cells other than triangles"):
+        with self.assertRaisesRegex(marrow.Error, "cells that are no polygons"):
             marrow.Mesh(polydata).faces
 
 

@@ -20,9 +20,9 @@ class TestMessages(unittest.TestCase):
             "import warnings, numpy, marrow\n"
             "warnings.simplefilter('ignore')\n"
             "mesh = marrow.creature('snake', resolution=5000)\n"
-            "for faces in (mesh.faces[:0], numpy.vstack([mesh.faces, mesh.faces])):\n"
+            "for points in (mesh.points[:0], mesh.points * numpy.nan):\n"
             "    for function in (marrow.measure, marrow.skeleton):\n"
-            "        try: function((mesh.points, faces))\n"
+            "        try: function((points, mesh.faces[:len(points)]))\n"
             "        except marrow.Error: print('raised')\n"
             "marrow.transfer(marrow.creature('octopus'), mesh)\n"
         )
@@ -32,12 +32,13 @@ class TestMessages(unittest.TestCase):
 
     def test_the_sentence_and_nothing_else(self):
         points, faces = prism()
+        points[7] = np.inf
         with self.assertRaises(marrow.Error) as caught:
-            marrow.measure((points, np.vstack([faces, faces[:1]])))
+            marrow.measure((points, faces))
         self.assertEqual(
             str(caught.exception),
-            "measure: The mesh has 3 edges with more than two triangles (the first at point 0): "
-            "separate the sheets or remove the extra triangles.")
+            "measure: The mesh has 1 point in use whose coordinates are not finite (the first is "
+            "point 7): remove or repair it.")
 
     def test_an_error_is_a_value_error(self):
         self.assertTrue(issubclass(marrow.Error, ValueError))
@@ -52,7 +53,7 @@ class TestMessages(unittest.TestCase):
     def test_threads_hear_their_own(self):
         window = vtkOutputWindow.GetInstance()
         good, bad = marrow.creature("snake"), marrow.creature("snake")
-        bad = (bad.points, np.vstack([bad.faces, bad.faces[:1]]))
+        bad = (bad.points * np.nan, bad.faces)
         told = []
 
         def work(mesh):

@@ -107,7 +107,7 @@ class TestParameters(unittest.TestCase):
         creature = marrow.creature("capsule")
         with self.assertRaisesRegex(
                 TypeError, r"skeleton\(\) got an unexpected keyword argument 'finest'; it takes "
-                "progress, progress_bar, finest_area, node_spacing$"):
+                "progress, progress_bar, finest_area, node_spacing, maximum_faces$"):
             marrow.skeleton(creature, finest=1)
         with self.assertRaisesRegex(
                 marrow.Error, "finest_area must be from 0.0 to 1.0, not 2"):

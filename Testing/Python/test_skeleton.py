@@ -66,7 +66,7 @@ class TestSkeleton(unittest.TestCase):
         self.assertGreaterEqual(len(skeleton.terminals), 2)
         with self.assertRaisesRegex(marrow.Error, "^mean_curvature_skeleton: .*border"):
             mesh = marrow.creature("snake", resolution=5000)
-            marrow.mean_curvature_skeleton((mesh.points, mesh.faces[1:]))
+            marrow.mean_curvature_skeleton((mesh.points, mesh.faces[len(mesh.faces) // 2:]))
 
 
 if __name__ == "__main__":

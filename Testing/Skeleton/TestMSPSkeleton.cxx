@@ -279,7 +279,8 @@ TEST(MSPSkeleton, APrunedLimbDoesNotMoveTheLineThatIsLeft)
   }
   EXPECT_LT(farthest, 0.1);
   ASSERT_GE(foot, 0);
-  EXPECT_LT(std::abs(pruned.Skeleton.Graph[foot].Position.z()), 0.3);
+  // No further from the limb's axis than two nodes.
+  EXPECT_LT(std::abs(pruned.Skeleton.Graph[foot].Position.z()), 2.0 * 0.012 * length);
   EXPECT_LT(pruned.Skeleton.TotalLength(), 1.01 * length);
 }
 
@@ -330,17 +331,7 @@ TEST(MSPSkeleton, SaysWhatIsWrong)
   vtkNew<vtkPolyData> empty;
   filter->SetInputData(empty);
   filter->Update();
-  EXPECT_TRUE(errors.HasError("The mesh is empty")) << errors.Text();
-
-  errors.Clear();
-  TriangleMesh threeSheets = test::MakeSphere(1.0, 1);
-  threeSheets.Points.push_back(Eigen::Vector3d(3, 0, 0));
-  threeSheets.Triangles.push_back({ threeSheets.Triangles[0][0], threeSheets.Triangles[0][1],
-    threeSheets.NumberOfVertices() - 1 });
-  filter->SetInputData(test::ToPolyData(threeSheets));
-  filter->Update();
-  EXPECT_TRUE(errors.HasError("1 edge with more than two triangles")) << errors.Text();
-  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(errors.HasError("The mesh has no face")) << errors.Text();
 
   errors.Clear();
   const auto broken = test::WithMeasures(test::ToPolyData(test::MakeCylinder(1.0, 10.0, 12, 20)));

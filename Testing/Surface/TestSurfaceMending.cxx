@@ -161,6 +161,25 @@ TEST(SurfaceMending, FacesThereTwiceCountOnce)
   }
 }
 
+TEST(SurfaceMending, APartWithoutAreaIsNoSurface)
+{
+  PolygonMesh line;
+  line.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } };
+  AddPolygon(line, { 0, 1, 2 });
+  WorkingSurface surface;
+  EXPECT_EQ(ComputeWorkingSurface(line, {}, {}, surface),
+    "None of the mesh's faces has an area: connect a surface.");
+
+  // Beside a cube its face lies nearest to one of the cube's.
+  PolygonMesh both = MakeCube({ 10, 0, 0 }, 1.0);
+  const int numberOfFaces = both.NumberOfPolygons();
+  Append(both, line);
+  surface = Compute(both);
+  ExpectClosed(surface, 0);
+  EXPECT_EQ(surface.Report.FacesWithoutArea, 1);
+  EXPECT_GE(surface.TriangleOfCell(numberOfFaces), 0);
+}
+
 TEST(SurfaceMending, FacesWithoutAreaGiveWay)
 {
   // A point on an edge of a tetrahedron, and the triangle without area that fills the crack.

@@ -99,7 +99,7 @@ TEST(TransferInputs, ErrorsNameSideAndRemedy)
     vtkNew<vtkSegmentationTransfer> transfer;
     vtkNew<vtkPolyData> empty;
     Connect(transfer, good, { empty.Get(), nullptr });
-    expectError(transfer, "Target: The mesh is empty");
+    expectError(transfer, "Target: The mesh has no face");
   }
   {
     auto bare = Data::New();

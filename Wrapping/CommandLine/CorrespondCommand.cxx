@@ -77,13 +77,13 @@ void CorrespondCommand::Run(Console& console)
     files::RequireWritable(skeleton);
   }
   vtkNew<vtkMSPSkeleton> source;
-  source->SetInputData(
-    files::MakeWorkingMesh(files::ReadMesh(this->Source, console), this->Source, console).Surface);
+  source->SetInputData(files::ReadMesh(this->Source, console));
   console.Update(source, this->Source);
+  files::ShowNote(source->GetOutputDataObject(1), this->Source, console);
   vtkNew<vtkMSPSkeleton> target;
-  target->SetInputData(
-    files::MakeWorkingMesh(files::ReadMesh(this->Target, console), this->Target, console).Surface);
+  target->SetInputData(files::ReadMesh(this->Target, console));
   console.Update(target, this->Target);
+  files::ShowNote(target->GetOutputDataObject(1), this->Target, console);
 
   vtkNew<vtkSkeletonCorrespondence> correspondence;
   correspondence->SetMatcher(this->Matcher == "electors"

@@ -16,6 +16,7 @@ public:
 private:
   std::string Mesh;
   std::string Output;
+  int MaximumFaces = 0;
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "Console.h"
 
 #include <vtkCellData.h>
+#include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkMarrowMeshReader.h>
 #include <vtkMarrowMeshWriter.h>
@@ -13,7 +14,7 @@
 #include <vtkMarrowSegmentWriter.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
-#include <vtkWorkingSurface.h>
+#include <vtkVariant.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
@@ -108,21 +109,12 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console)
   return reader->GetOutput();
 }
 
-WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console)
+void ShowNote(vtkDataObject* output, const std::string& path, const Console& console)
 {
-  vtkNew<vtkWorkingSurface> working;
-  working->SetInputData(mesh);
-  console.Update(working, path);
-  vtkPolyData* surface = working->GetOutput();
-  const std::string done =
-    surface->GetFieldData()->GetAbstractArray("WorkingSurfaceNote")->GetVariantValue(0).ToString();
-  if (!done.empty())
+  if (vtkAbstractArray* note = output->GetFieldData()->GetAbstractArray("WorkingSurfaceNote"))
   {
-    console.ShowNote(path, done);
+    console.ShowNote(path, note->GetVariantValue(0).ToString());
   }
-  const double* bodies = surface->GetCellData()->GetArray("BodyId")->GetRange();
-  const bool isInput = done.empty() && bodies[1] == 0.0;
-  return { isInput ? mesh : surface, isInput };
 }
 
 vtkSmartPointer<vtkPolyData> ReadSegmented(

@@ -8,6 +8,7 @@
 #include <vector>
 
 class Console;
+class vtkDataObject;
 class vtkPolyData;
 
 /// Files in and out, the format chosen by the name's ending.
@@ -34,15 +35,8 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, Console& console)
 vtkSmartPointer<vtkPolyData> ReadSegmented(
   const std::string& path, const SegmentSource& segments, Console& console);
 
-/// What a mesh is to the stages that take clean manifolds of triangles alone.
-struct WorkingMesh
-{
-  vtkSmartPointer<vtkPolyData> Surface;
-  bool IsInput; ///< one body that needs no mending: the mesh itself
-};
-
-/// Tells what was mended.
-WorkingMesh MakeWorkingMesh(vtkPolyData* mesh, const std::string& path, Console& console);
+/// Tells what was mended in a mesh to work on it, as the output of a filter says (WorkingSurfaceNote).
+void ShowNote(vtkDataObject* output, const std::string& path, const Console& console);
 
 /// Reads a .vtp or .vtk file as it is, a skeleton for example.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path, Console& console);

@@ -28,9 +28,9 @@ void SkeletonCommand::Run(Console& console)
     files::RequireWritable(this->MeshOutput);
   }
   vtkNew<vtkMSPSkeleton> skeleton;
-  skeleton->SetInputData(
-    files::MakeWorkingMesh(files::ReadMesh(this->Mesh, console), this->Mesh, console).Surface);
+  skeleton->SetInputData(files::ReadMesh(this->Mesh, console));
   console.Update(skeleton, this->Mesh);
+  files::ShowNote(skeleton->GetOutputDataObject(1), this->Mesh, console);
   files::Write(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)), this->Output, console);
   if (!this->MeshOutput.empty())
   {

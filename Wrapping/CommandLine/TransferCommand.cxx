@@ -104,70 +104,48 @@ std::string TransferCommand::SkeletonFile(
   return (folder / (files::Stem(mesh) + "_skeleton.vtp")).string();
 }
 
-void TransferCommand::WriteSkeleton(
-  vtkMSPSkeleton* skeleton, const std::string& file, Console& console) const
+vtkSmartPointer<vtkPolyData> TransferCommand::WithSkeleton(
+  vtkPolyData* mesh, const std::string& path, const std::string& besideFile, Console& console) const
 {
-  if (this->WriteSkeletons)
+  if (!this->WriteSkeletons)
   {
-    files::Write(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)), file, console);
+    return mesh;
   }
+  vtkNew<vtkMSPSkeleton> skeleton;
+  skeleton->SetInputData(mesh);
+  console.Update(skeleton, path);
+  files::Write(vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0)),
+    this->SkeletonFile(path, besideFile), console);
+  return vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(1));
 }
 
-void TransferCommand::TransferTo(vtkPolyData* source, vtkMSPSkeleton* sourceSkeleton,
-  const std::string& target, const std::string& output, Console& console) const
+void TransferCommand::TransferTo(vtkSegmentationTransfer* transfer, const std::string& target,
+  const std::string& output, Console& console) const
 {
-  const vtkSmartPointer<vtkPolyData> mesh = files::ReadMesh(target, console);
-  const files::WorkingMesh working = files::MakeWorkingMesh(mesh, target, console);
-  const bool isByHand = sourceSkeleton && working.IsInput;
-  vtkNew<vtkMSPSkeleton> targetSkeleton;
-  if (isByHand || this->WriteSkeletons)
-  {
-    targetSkeleton->SetInputData(working.Surface);
-    console.Update(targetSkeleton, target);
-    this->WriteSkeleton(targetSkeleton, this->SkeletonFile(target, output), console);
-  }
-
-  vtkNew<vtkSegmentationTransfer> transfer;
-  if (isByHand)
-  {
-    transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1));
-    transfer->SetInputConnection(1, targetSkeleton->GetOutputPort(1));
-    transfer->SetInputConnection(2, sourceSkeleton->GetOutputPort(0));
-    transfer->SetInputConnection(3, targetSkeleton->GetOutputPort(0));
-  }
-  else
-  {
-    transfer->SetInputData(0, source);
-    transfer->SetInputData(1, mesh);
-  }
+  transfer->SetInputData(
+    1, this->WithSkeleton(files::ReadMesh(target, console), target, output, console));
   console.Update(transfer, target);
-  files::Write(vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0)), output, console);
+  vtkDataObject* labelled = transfer->GetOutputDataObject(0);
+  files::ShowNote(labelled, target, console);
+  files::Write(vtkPolyData::SafeDownCast(labelled), output, console);
 }
 
 void TransferCommand::Run(Console& console)
 {
   const std::vector<std::string> outputs = this->OutputFiles();
   this->RequireFreeNames(outputs);
-  const vtkSmartPointer<vtkPolyData> source =
-    files::ReadSegmented(this->Source, this->Segments, console);
-
-  // Once for all targets.
-  const files::WorkingMesh working = files::MakeWorkingMesh(source, this->Source, console);
-  vtkNew<vtkMSPSkeleton> sourceSkeleton;
-  if (working.IsInput || this->WriteSkeletons)
-  {
-    sourceSkeleton->SetInputData(working.Surface);
-    console.Update(sourceSkeleton, this->Source);
-    this->WriteSkeleton(sourceSkeleton, this->SkeletonFile(this->Source, outputs.front()), console);
-  }
+  // One filter for all targets: what it knows of the source is found out once.
+  vtkNew<vtkSegmentationTransfer> transfer;
+  transfer->SetInputData(0,
+    this->WithSkeleton(files::ReadSegmented(this->Source, this->Segments, console), this->Source,
+      outputs.front(), console));
 
   std::vector<std::string> failed;
   for (std::size_t i = 0; i < this->Targets.size(); ++i)
   {
     try
     {
-      this->TransferTo(source, working.IsInput ? sourceSkeleton.Get() : nullptr, this->Targets[i],
-        outputs[i], console);
+      this->TransferTo(transfer, this->Targets[i], outputs[i], console);
     }
     catch (const std::exception& error)
     {
@@ -179,6 +157,7 @@ void TransferCommand::Run(Console& console)
       failed.push_back(this->Targets[i]);
     }
   }
+  files::ShowNote(transfer->GetOutputDataObject(1), this->Source, console);
   if (!failed.empty())
   {
     std::string names;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-class vtkMSPSkeleton;
+class vtkSegmentationTransfer;
 
 /// `marrow transfer`: carries the segments of one mesh to others (vtkSegmentationTransfer).
 class TransferCommand : public Command
@@ -24,11 +24,14 @@ private:
   /// Throws CommandError unless all files can be written, each for one mesh only.
   void RequireFreeNames(const std::vector<std::string>& outputs) const;
 
-  void TransferTo(vtkPolyData* source, vtkMSPSkeleton* sourceSkeleton, const std::string& target,
-    const std::string& output, Console& console) const;
-
   std::string SkeletonFile(const std::string& mesh, const std::string& besideFile) const;
-  void WriteSkeleton(vtkMSPSkeleton* skeleton, const std::string& file, Console& console) const;
+
+  /// With --skeletons: writes the mesh's skeleton, and returns the mesh with its measures.
+  vtkSmartPointer<vtkPolyData> WithSkeleton(vtkPolyData* mesh, const std::string& path,
+    const std::string& besideFile, Console& console) const;
+
+  void TransferTo(vtkSegmentationTransfer* transfer, const std::string& target,
+    const std::string& output, Console& console) const;
 
   std::string Source;
   std::vector<std::string> Targets;

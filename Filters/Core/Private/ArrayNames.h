@@ -56,7 +56,6 @@ inline constexpr const char* WorkingTriangleId = "WorkingTriangleId";
 inline constexpr const char* WorkingVertexId = "WorkingVertexId";
 
 // On both as a whole (field data), beside the counts of SurfaceReport
-inline constexpr const char* NumberOfOtherCells = "NumberOfOtherCells";
 inline constexpr const char* WorkingSurfaceNote = "WorkingSurfaceNote";
 
 // On boundary cells

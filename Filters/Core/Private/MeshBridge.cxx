@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshBridge.h"
 
+#include "MeshCheck.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
@@ -122,17 +124,6 @@ std::string ToTriangleMesh(vtkPolyData* input, TriangleMesh& mesh)
   }
   mesh.BuildConnectivity();
   return {};
-}
-
-std::string ToManifoldMesh(vtkPolyData* input, TriangleMesh& mesh, MeshReport& report)
-{
-  std::string error = ToTriangleMesh(input, mesh);
-  if (error.empty())
-  {
-    report = CheckMesh(mesh);
-    error = report.ManifoldError();
-  }
-  return error;
 }
 
 void SetArray(vtkDataSetAttributes* data, const char* name, const std::vector<double>& values)

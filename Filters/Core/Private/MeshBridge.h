@@ -2,7 +2,6 @@
 #ifndef marrow_MeshBridge_h
 #define marrow_MeshBridge_h
 
-#include "MeshCheck.h"
 #include "TriangleMesh.h"
 
 #include <vtkSmartPointer.h>
@@ -20,10 +19,6 @@ namespace marrow
 /// is cell t. Returns one sentence that says what is wrong, or an empty one: the input must have
 /// triangles and nothing but triangles, all of them with finite points.
 std::string ToTriangleMesh(vtkPolyData* input, TriangleMesh& mesh);
-
-/// The same, and what the mesh is; the sentence also names whatever keeps it from being an oriented
-/// manifold.
-std::string ToManifoldMesh(vtkPolyData* input, TriangleMesh& mesh, MeshReport& report);
 
 // Plain vectors to named VTK arrays. An array of the same name is replaced.
 void SetArray(vtkDataSetAttributes* data, const char* name, const std::vector<double>& values);

@@ -66,15 +66,6 @@ std::string MeshReport::ClosedError() const
                               "close its holes first, for example with vtkFillHolesFilter");
 }
 
-std::string MeshReport::ConnectedError() const
-{
-  return this->NumberOfComponents <= 1
-    ? std::string()
-    : "The mesh has " + std::to_string(this->NumberOfComponents) +
-      " components: keep one, for example with vtkPolyDataConnectivityFilter and "
-      "SetExtractionModeToLargestRegion.";
-}
-
 std::vector<int> TriangleComponents(const TriangleMesh& mesh, int& numberOfComponents)
 {
   std::vector<int> component(mesh.Triangles.size(), -1);

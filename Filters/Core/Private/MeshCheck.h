@@ -46,8 +46,6 @@ struct MeshReport
   std::string ManifoldError() const;
   /// One sentence if the mesh is open; empty if it is closed.
   std::string ClosedError() const;
-  /// One sentence if the mesh has several components; empty if it has one.
-  std::string ConnectedError() const;
 };
 
 /// Examines a mesh whose connectivity has been built. O(n log n).

@@ -6,7 +6,7 @@
 
 namespace marrow
 {
-void AverageMeasures(Skeleton& skeleton, const TriangleMesh& mesh, const SkeletonMeasures& measures)
+void AverageMeasures(Skeleton& skeleton, const TriangleMesh& mesh, const VertexMeasures& measures)
 {
   skeleton.MeshDiagonal = mesh.BoundingBoxDiagonal();
   skeleton.MeshMaximumMSP = *std::max_element(measures.MSP.begin(), measures.MSP.end());

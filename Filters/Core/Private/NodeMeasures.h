@@ -4,24 +4,13 @@
 
 #include "Skeleton.h"
 #include "TriangleMesh.h"
-
-#include <vector>
+#include "VertexMeasures.h"
 
 namespace marrow
 {
-/// The measures of vtkMSPField that a skeleton is made of, one value per vertex.
-struct SkeletonMeasures
-{
-  std::vector<double> AGD;
-  std::vector<double> MSP;
-  std::vector<Eigen::Vector3d> MSPCenter;
-  std::vector<unsigned char> MSPValid;
-};
-
 /// Fills AGD, MSP and Radius of every node from φ (a node without φ takes the mean of its
 /// neighbours), and what the skeleton keeps of the mesh: MeshDiagonal, MeshMaximumMSP.
-void AverageMeasures(
-  Skeleton& skeleton, const TriangleMesh& mesh, const SkeletonMeasures& measures);
+void AverageMeasures(Skeleton& skeleton, const TriangleMesh& mesh, const VertexMeasures& measures);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include <boost/graph/connected_components.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace marrow
 {
@@ -143,5 +144,29 @@ void Skeleton::UpdateArcLengths()
         branch.ArcLength[i - 1] + (this->Graph[branch.Nodes[i]].Position - before).norm();
     }
   }
+}
+
+void Append(Skeleton& skeleton, const Skeleton& other)
+{
+  const int first = skeleton.NumberOfNodes();
+  for (int n = 0; n < other.NumberOfNodes(); ++n)
+  {
+    boost::add_vertex(other.Graph[n], skeleton.Graph);
+  }
+  for (auto [e, end] = boost::edges(other.Graph); e != end; ++e)
+  {
+    boost::add_edge(first + boost::source(*e, other.Graph), first + boost::target(*e, other.Graph),
+      skeleton.Graph);
+  }
+  for (Branch branch : other.Branches)
+  {
+    for (int& node : branch.Nodes)
+    {
+      node += first;
+    }
+    skeleton.Branches.push_back(std::move(branch));
+  }
+  skeleton.MeshDiagonal = std::max(skeleton.MeshDiagonal, other.MeshDiagonal);
+  skeleton.MeshMaximumMSP = std::max(skeleton.MeshMaximumMSP, other.MeshMaximumMSP);
 }
 }

@@ -68,6 +68,10 @@ struct Skeleton
   /// Brings the branches' arc lengths up to date after nodes were moved.
   void UpdateArcLengths();
 };
+
+/// Adds the nodes and branches of another skeleton behind those of the first; φ keeps the numbers that it
+/// has. What both keep of their meshes becomes the larger of the two.
+void Append(Skeleton& skeleton, const Skeleton& other);
 }
 
 #endif

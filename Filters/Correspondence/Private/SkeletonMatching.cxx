@@ -2,6 +2,7 @@
 #include "SkeletonMatching.h"
 
 #include "LoopOpening.h"
+#include "SkeletonFrame.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -178,8 +179,11 @@ bool OpenLoops(int surplus, OpenedSkeleton source, OpenedSkeleton target,
 bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
   const MatchingParameters& parameters, SkeletonMatching& result, const Progress& progress)
 {
-  const OpenedSkeleton unopenedSource(source);
-  const OpenedSkeleton unopenedTarget(target);
+  // In frames of their own: where the meshes lie must not decide a tie.
+  const Skeleton ownSource = ToFrame(source, FrameOf(source));
+  const Skeleton ownTarget = ToFrame(target, FrameOf(target));
+  const OpenedSkeleton unopenedSource(ownSource);
+  const OpenedSkeleton unopenedTarget(ownTarget);
   constexpr double share = 0.5;
   const int surplus = source.NumberOfLoops() - target.NumberOfLoops();
   const bool opens =

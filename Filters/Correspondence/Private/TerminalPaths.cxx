@@ -199,8 +199,9 @@ void TerminalPaths::FindTapers(double scale)
         graph.Profile(path.Darts, FeatureGraph::Measure::MSP, pieces);
       for (double distance : { 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4 })
       {
-        const int piece = static_cast<int>(distance * scale / path.Length * pieces);
-        taper.push_back(std::sqrt(profile[std::min(piece, pieces - 1)]));
+        // A path without length, as of a skeleton in one place, is all beginning.
+        const double piece = path.Length > 0.0 ? distance * scale / path.Length * pieces : 0.0;
+        taper.push_back(std::sqrt(profile[static_cast<int>(std::min(piece, pieces - 1.0))]));
       }
     }
     this->Tapers.push_back(taper);

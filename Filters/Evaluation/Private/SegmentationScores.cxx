@@ -4,8 +4,6 @@
 #include "OverlapTable.h"
 #include "SegmentBoundary.h"
 
-#include <numeric>
-
 namespace marrow
 {
 namespace
@@ -28,17 +26,36 @@ double AverageRadius(const TriangleMesh& mesh, const std::vector<double>& areas)
   }
   return sum / area;
 }
+
+std::vector<int> OfTriangles(
+  const std::vector<int>& faceOfTriangle, const std::vector<int>& ofFaces)
+{
+  std::vector<int> ofTriangles;
+  ofTriangles.reserve(faceOfTriangle.size());
+  for (int face : faceOfTriangle)
+  {
+    ofTriangles.push_back(ofFaces[face]);
+  }
+  return ofTriangles;
+}
 }
 
-SegmentationScores CompareSegmentations(
-  const TriangleMesh& mesh, const std::vector<int>& segments, const std::vector<int>& reference)
+SegmentationScores CompareSegmentations(const TriangleMesh& mesh,
+  const std::vector<int>& faceOfTriangle, const std::vector<int>& segments,
+  const std::vector<int>& reference)
 {
-  const std::vector<double> areas = mesh.TriangleAreas();
+  const std::vector<double> areasOfTriangles = mesh.TriangleAreas();
+  std::vector<double> areas(segments.size(), 0.0);
+  for (std::size_t t = 0; t < areasOfTriangles.size(); ++t)
+  {
+    areas[faceOfTriangle[t]] += areasOfTriangles[t];
+  }
   const OverlapTable overlaps(segments, reference, areas);
-  const BoundaryDistances distances = MeasureBoundaryDistances(mesh, segments, reference);
+  const BoundaryDistances distances = MeasureBoundaryDistances(
+    mesh, OfTriangles(faceOfTriangle, segments), OfTriangles(faceOfTriangle, reference));
 
   SegmentationScores scores;
-  scores.CutDiscrepancy = distances.VertexMean / AverageRadius(mesh, areas);
+  scores.CutDiscrepancy = distances.VertexMean / AverageRadius(mesh, areasOfTriangles);
   scores.MissingRate = overlaps.MissingRate();
   scores.FalseAlarmRate = overlaps.FalseAlarmRate();
   scores.HammingDistance = 0.5 * (scores.MissingRate + scores.FalseAlarmRate);
@@ -48,12 +65,6 @@ SegmentationScores CompareSegmentations(
   scores.LabelAccuracy = LabelAccuracy(areas, segments, reference);
   scores.BoundaryDistance = distances.LengthMean / mesh.BoundingBoxDiagonal();
   return scores;
-}
-
-double SurfaceArea(const TriangleMesh& mesh)
-{
-  const std::vector<double> areas = mesh.TriangleAreas();
-  return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 double LabelAccuracy(const std::vector<double>& areas, const std::vector<int>& labels,

@@ -22,11 +22,11 @@ struct SegmentationScores
   double BoundaryDistance = 0.0;
 };
 
-/// Compares two segmentations of a mesh of positive area; one id per triangle each. O(n log n).
-SegmentationScores CompareSegmentations(
-  const TriangleMesh& mesh, const std::vector<int>& segments, const std::vector<int>& reference);
-
-double SurfaceArea(const TriangleMesh& mesh);
+/// Compares two segmentations of a mesh of positive area; one id per face each. A polygon is a face of
+/// several triangles. O(n log n).
+SegmentationScores CompareSegmentations(const TriangleMesh& mesh,
+  const std::vector<int>& faceOfTriangle, const std::vector<int>& segments,
+  const std::vector<int>& reference);
 
 /// Share of the area of the faces whose ids are equal.
 double LabelAccuracy(const std::vector<double>& areas, const std::vector<int>& labels,

@@ -29,7 +29,7 @@ void KeepOwnVertices(Skeleton& skeleton, int numberOfVertices)
 }
 }
 
-Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& measures,
+Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const VertexMeasures& measures,
   double finestArea, double spacing, const Progress& progress)
 {
   std::vector<double> weight = SliceReliability(mesh, measures.MSP, measures.MSPValid);

@@ -14,7 +14,7 @@ namespace marrow
 /// nodes when `progress` asks to stop.
 /// `finestArea` is the least share of the mesh's area of a limb (see PruneSpurs); `spacing` the
 /// distance of the nodes along a branch, in mesh units.
-Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const SkeletonMeasures& measures,
+Skeleton ComputeMSPSkeleton(const TriangleMesh& mesh, const VertexMeasures& measures,
   double finestArea, double spacing, const Progress& progress);
 }
 

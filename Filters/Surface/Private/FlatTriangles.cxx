@@ -2,6 +2,7 @@
 #include "FlatTriangles.h"
 
 #include "EdgeOperations.h"
+#include "MeshCheck.h"
 
 #include <Eigen/Geometry>
 
@@ -102,6 +103,32 @@ private:
 };
 }
 
+namespace
+{
+/// Connected parts all of whose triangles are flat have no neighbour that could take their place.
+void RemoveFlatParts(MendedMesh& mesh, double rounding)
+{
+  int numberOfParts = 0;
+  const std::vector<int> parts = TriangleComponents(mesh.Mesh, numberOfParts);
+  std::vector<char> hasArea(numberOfParts, 0);
+  for (int t = 0; t < mesh.Mesh.NumberOfTriangles(); ++t)
+  {
+    const auto& c = mesh.Mesh.Triangles[t];
+    if (Height(mesh.Mesh.Points[c[0]], mesh.Mesh.Points[c[1]], mesh.Mesh.Points[c[2]]) > rounding)
+    {
+      hasArea[parts[t]] = 1;
+    }
+  }
+  std::vector<char> keep(parts.size());
+  std::transform(parts.begin(), parts.end(), keep.begin(), [&](int part) { return hasArea[part]; });
+  if (std::find(keep.begin(), keep.end(), 0) != keep.end())
+  {
+    mesh.KeepTriangles(keep);
+    mesh.Mesh.BuildConnectivity();
+  }
+}
+}
+
 int RemoveFlatTriangles(MendedMesh& mesh)
 {
   const double rounding = Rounding(mesh.Mesh);
@@ -140,6 +167,7 @@ int RemoveFlatTriangles(MendedMesh& mesh)
   mesh.Mesh.Triangles = mended.Triangles;
   mesh.KeepTriangles(keep);
   mesh.Mesh.BuildConnectivity();
+  RemoveFlatParts(mesh, rounding);
   return flattening.Flipped;
 }
 }

@@ -33,6 +33,7 @@ std::vector<SurfaceReport::Entry> SurfaceReport::Entries() const
     { "UnitedParts", this->UnitedParts },
     { "WrappedShreds", this->WrappedShreds },
     { "SimplifiedTriangles", this->SimplifiedTriangles },
+    { "NumberOfOtherCells", this->OtherCells },
   };
 }
 
@@ -80,6 +81,7 @@ std::string SurfaceReport::Sentence(int numberOfFaces) const
   {
     sentence += " to " + WithSeparators(numberOfFaces);
   }
+  add("passed over", this->OtherCells, "vertex or line cell", "vertex and line cells");
   return sentence;
 }
 }

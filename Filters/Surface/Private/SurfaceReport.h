@@ -24,6 +24,7 @@ struct SurfaceReport
   int UnitedParts = 0;         ///< connected parts united by a wrap
   int WrappedShreds = 0;       ///< connected parts wrapped as they were beyond mending
   int SimplifiedTriangles = 0; ///< triangles there were before simplification
+  int OtherCells = 0;          ///< vertex and line cells, which are no surface, passed over
 
   /// The name of each count, as the field array that holds it, and the count.
   struct Entry

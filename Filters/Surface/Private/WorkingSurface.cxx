@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace marrow
 {
@@ -67,9 +68,11 @@ void MapCells(const PolygonMesh& input, const Mending& mending, WorkingSurface& 
   for (int c = 0; c < input.NumberOfPolygons(); ++c)
   {
     int& triangle = output.FullTriangleOfCell[c];
-    for (int twin = c; triangle < 0 && mending.TwinOfCell[twin] >= 0;)
+    // Polygons of several triangles may be each other's twins, and both be without area.
+    std::set<int> seen;
+    for (int twin = mending.TwinOfCell[c]; triangle < 0 && twin >= 0 && seen.insert(twin).second;
+         twin = mending.TwinOfCell[twin])
     {
-      twin = mending.TwinOfCell[twin];
       triangle = output.FullTriangleOfCell[twin];
     }
     if (triangle >= 0)

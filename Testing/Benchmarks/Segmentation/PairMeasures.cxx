@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -38,6 +39,14 @@ MatchedSide SideOf(const PreparedCategory& category, int mesh, vtkPolyData* matc
   return side;
 }
 
+SegmentationScores Compare(
+  const PreparedMesh& mesh, const std::vector<int>& segments, const std::vector<int>& reference)
+{
+  std::vector<int> faceOfTriangle(segments.size());
+  std::iota(faceOfTriangle.begin(), faceOfTriangle.end(), 0);
+  return CompareSegmentations(mesh.Mesh, faceOfTriangle, segments, reference);
+}
+
 /// Against every human segmentation, on average.
 void CompareWithHumans(const PreparedMesh& mesh, const std::vector<int>& segments, Result& result)
 {
@@ -45,7 +54,7 @@ void CompareWithHumans(const PreparedMesh& mesh, const std::vector<int>& segment
   const double weight = 1.0 / mesh.Humans.size();
   for (const std::vector<int>& human : mesh.Humans)
   {
-    const SegmentationScores scores = CompareSegmentations(mesh.Mesh, segments, human);
+    const SegmentationScores scores = Compare(mesh, segments, human);
     mean.RandError += weight * scores.RandError;
     mean.HammingDistance += weight * scores.HammingDistance;
     mean.MissingRate += weight * scores.MissingRate;
@@ -74,7 +83,7 @@ void CompareWithLabels(const PreparedMesh& source, const PreparedMesh& target,
       const auto label = source.LabelOfPiece.find(piece);
       return label == source.LabelOfPiece.end() ? -1 : label->second;
     });
-  const SegmentationScores scores = CompareSegmentations(target.Mesh, segments, target.Pieces);
+  const SegmentationScores scores = Compare(target, segments, target.Pieces);
   result.Values["label_accuracy"] = LabelAccuracy(target.Areas, labels, target.Labels);
   result.Values["rand_error_to_labels"] = scores.RandError;
   result.Values["boundary_distance_to_labels"] = scores.BoundaryDistance;

@@ -41,14 +41,23 @@ def points_of(polydata: vtkPolyData) -> Array:
     return view(points.GetData()) if points is not None else np.empty((0, 3))
 
 
-def triangles_of(polydata: vtkPolyData) -> Array:
+def faces_of(polydata: vtkPolyData) -> Array:
+    """A row a face, as wide as the face of most corners; -1 after the corners of a smaller one."""
     polygons = polydata.GetPolys()
     count = polygons.GetNumberOfCells()
     if count == 0:
         return np.empty((0, 3), dtype=np.int64)
-    if count != polydata.GetNumberOfCells() or polygons.IsHomogeneous() != 3:
-        raise Error("the mesh has cells other than triangles: use vtkTriangleFilter.")
-    return view(polygons.GetConnectivityArray()).reshape(-1, 3)
+    if count != polydata.GetNumberOfCells():
+        raise Error("the mesh has cells that are no polygons: keep its polygons alone.")
+    corners = view(polygons.GetConnectivityArray())
+    width = polygons.IsHomogeneous()
+    if width > 0:
+        return corners.reshape(-1, width)
+    sizes = np.diff(view(polygons.GetOffsetsArray()))
+    faces = np.full((count, sizes.max()), -1, dtype=np.int64)
+    faces[np.arange(sizes.max()) < sizes[:, None]] = corners
+    faces.flags.writeable = False
+    return faces
 
 
 def lines_of(polydata: vtkPolyData) -> List[Array]:
@@ -77,17 +86,19 @@ def to_vtk(values: ArrayLike, name: str) -> vtkDataArray:
 
 
 def polydata_from(points: ArrayLike, faces: ArrayLike) -> vtkPolyData:
-    """The mesh of points (n, 3) and triangles (m, 3), copied."""
-    corners, triangles = np.asarray(points), np.asarray(faces)
+    """The mesh of points (n, 3) and faces (m, k), copied; see faces_of."""
+    corners, polygons = np.asarray(points), np.asarray(faces)
     if corners.ndim != 2 or corners.shape[1] != 3:
         raise Error(f"points must have the shape (n, 3), not {corners.shape}.")
-    if triangles.ndim != 2 or triangles.shape[1] != 3:
-        raise Error(f"faces must have the shape (m, 3), not {triangles.shape}.")
-    if not np.issubdtype(triangles.dtype, np.integer):
-        raise TypeError(f"faces must be integers, not {triangles.dtype}")
+    if polygons.ndim != 2 or polygons.shape[1] < 3:
+        raise Error(f"faces must have the shape (m, 3) or (m, k > 3), not {polygons.shape}.")
+    if not np.issubdtype(polygons.dtype, np.integer):
+        raise TypeError(f"faces must be integers, not {polygons.dtype}")
     if corners.dtype != np.float32:
         corners = corners.astype(np.float64)
-    wrong = ((triangles < 0) | (triangles >= len(corners))).any(axis=1)
+    sizes = polygons.shape[1] - (np.cumprod(polygons[:, :2:-1] == -1, axis=1)).sum(axis=1)
+    used = np.arange(polygons.shape[1]) < sizes[:, None]
+    wrong = (used & ((polygons < 0) | (polygons >= len(corners)))).any(axis=1)
     if wrong.any():
         raise Error(
             f"{wrong.sum()} faces name a point that does not exist, the first is face "
@@ -96,8 +107,9 @@ def polydata_from(points: ArrayLike, faces: ArrayLike) -> vtkPolyData:
     vtk_points = vtkPoints()
     vtk_points.SetData(to_vtk(corners, "Points"))
     cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtkIdTypeArray(
-        np.ascontiguousarray(triangles, dtype=np.int64).ravel(), deep=True))
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), deep=True),
+        numpy_to_vtkIdTypeArray(polygons[used].astype(np.int64), deep=True))
     polydata = vtkPolyData()
     polydata.SetPoints(vtk_points)
     polydata.SetPolys(cells)

@@ -6,7 +6,6 @@ import os
 from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from ._mesh import Mesh, MeshLike, Segments, polydata_of, set_segments
 from ._messages import Error, collected_messages
@@ -44,7 +43,7 @@ def read(path: Path, segments: Optional[Path] = None) -> Mesh:
     polydata = polydata_output(reader)
     if segments is not None:
         polydata = _with_segments(polydata, name, os.fspath(segments))
-    return Mesh(_triangles(polydata))
+    return Mesh(polydata)
 
 
 def write(
@@ -97,16 +96,6 @@ def _require_writable(name: str) -> None:
         pass  # Python's exception says better than VTK why a file cannot be written.
     if is_new:
         os.remove(name)
-
-
-def _triangles(polydata: vtkPolyData) -> vtkPolyData:
-    """Until the filters take polygons."""
-    if polydata.GetPolys().IsHomogeneous() == 3:
-        return polydata
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputData(polydata)
-    run(triangulate, "read")
-    return polydata_output(triangulate)
 
 
 def _with_segments(polydata: vtkPolyData, name: str, segments: str) -> vtkPolyData:

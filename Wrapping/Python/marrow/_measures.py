@@ -14,6 +14,7 @@ from .vtk import vtkMSPField
 
 class MeasureParameters(TypedDict, total=False):
     number_of_slices: Optional[int]
+    maximum_faces: Optional[int]
     agd_method: Optional[Literal["sampled", "all_pairs"]]
 
 
@@ -68,9 +69,11 @@ def measure(
     Parameters
     ----------
     mesh
-        Triangles, oriented and manifold; open meshes and several components will do.
+        Any mesh: one that is no clean manifold is measured on its working surface.
     number_of_slices : int, 2 to 180
         Planes tried at each vertex; more find a smaller perimeter and cost in proportion.
+    maximum_faces : int, 0 to 2147483647
+        A mesh of more faces is measured on a working surface of so many; 0: at every vertex.
     agd_method : "sampled" or "all_pairs"
         Distances from 64 samples of each component, or from all vertices (slow, exact).
     progress, progress_bar

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import Array, named, points_of, polydata_from, to_vtk, triangles_of
+from ._arrays import Array, faces_of, named, points_of, polydata_from, to_vtk
 from ._messages import Error
 
 SEGMENT_ID = "SegmentId"
@@ -17,7 +17,7 @@ SEGMENT_ID = "SegmentId"
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A triangle mesh: a vtkPolyData, and numpy's view on it.
+    """A mesh: a vtkPolyData, and numpy's view on it.
 
     The arrays are read-only views on the memory of VTK's: take a copy to change one.
     """
@@ -32,8 +32,16 @@ class Mesh:
 
     @property
     def faces(self) -> Array:
-        """(m, 3) int: the vertices of each triangle, counter-clockwise seen from outside."""
-        return triangles_of(self.polydata)
+        """(m, k) int: the vertices of each face, counter-clockwise seen from outside; k is 3 for
+        triangles. Where some faces have fewer corners than others, -1 follows theirs."""
+        return faces_of(self.polydata)
+
+    @property
+    def note(self) -> str:
+        """What was mended to work on the mesh, in words: "merged 14,220 equal points, turned 3
+        faces"; empty if nothing was. The mesh itself is as it was."""
+        said = self.polydata.GetFieldData().GetAbstractArray("WorkingSurfaceNote")
+        return str(said.GetValue(0)) if said is not None else ""
 
     @property
     def segments(self) -> Optional[Array]:
@@ -59,7 +67,7 @@ class Mesh:
 
 MeshLike = Union[vtkPolyData, Mesh, Tuple[ArrayLike, ArrayLike]]
 """What is taken for a mesh: a vtkPolyData (a subclass too), a Mesh, or a pair (points, faces) of
-arrays of the shapes (n, 3), float, and (m, 3), int."""
+arrays of the shapes (n, 3), float, and (m, k), int, as Mesh.faces says."""
 
 
 def polydata_of(mesh: MeshLike) -> vtkPolyData:

@@ -76,13 +76,14 @@ class Skeleton:
 
     @property
     def node_of_vertex(self) -> Array:
-        """(n,) int: the node that each vertex of the mesh belongs to; -1 if no triangle uses it."""
+        """(n,) int: the node that each vertex of the mesh belongs to; -1 if no face uses it."""
         return named(self.mesh.polydata.GetPointData(), "SkeletonNodeId")
 
 
 class SkeletonParameters(TypedDict, total=False):
     finest_area: Optional[float]
     node_spacing: Optional[float]
+    maximum_faces: Optional[int]
 
 
 class MeanCurvatureSkeletonParameters(TypedDict, total=False):
@@ -102,11 +103,13 @@ def skeleton(
     Parameters
     ----------
     mesh
-        Triangles, oriented and manifold. Measures that it has, from marrow.measure, are used.
+        Any mesh. Measures that it has, from marrow.measure, are used.
     finest_area : float, 0 to 1
         The share of the surface from which a limb gets a branch; less, and fingers get theirs.
     node_spacing : float, 0.001 to 0.5
         Distance of the nodes along a branch, over the diagonal of the bounding box.
+    maximum_faces : int, 0 to 2147483647
+        A mesh of more faces is simplified to so many for the skeleton; 0: never.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
@@ -136,7 +139,7 @@ def mean_curvature_skeleton(
     Parameters
     ----------
     mesh
-        Triangles, closed, manifold, of one component.
+        A mesh without openings; several bodies will do.
     quality_speed_tradeoff : float, 0.001 to 100
         Smaller is faster and coarser.
     medially_centered_speed_tradeoff : float, 0 to 100

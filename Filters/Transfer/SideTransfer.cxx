@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SideTransfer.h"
+
+#include "FullResolution.h"
+#include "SkeletonMatching.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace marrow
+{
+namespace
+{
+CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
+{
+  return { side.BranchOrder, { side.BranchReversed.begin(), side.BranchReversed.end() } };
+}
+
+void MoveBoundaries(std::vector<BoundaryPair> pairs, const Body& source, const Body& target,
+  SideTransferResult& result)
+{
+  for (BoundaryPair& pair : pairs)
+  {
+    for (Eigen::Vector3d& point : pair.SourcePoints)
+    {
+      point = source.Frame.FromFrame(point);
+    }
+    for (Eigen::Vector3d& point : pair.TargetPoints)
+    {
+      point = target.Frame.FromFrame(point);
+    }
+    result.Boundaries.push_back(std::move(pair));
+  }
+}
+}
+
+Partner FindPartner(
+  const AnalyzedSide& source, const AnalyzedMesh& target, const Progress& progress)
+{
+  Partner best;
+  double least = std::numeric_limits<double>::infinity();
+  const double size = static_cast<double>(source.Bodies.size());
+  for (std::size_t b = 0; b < source.Bodies.size(); ++b)
+  {
+    SkeletonMatching matching;
+    if (!MatchSkeletons(source.Bodies[b].Skeleton, target.Skeleton, {}, matching,
+          SubProgress(progress, b / size, (b + 1) / size)))
+    {
+      return best;
+    }
+    const SkeletonMatch& match = matching.Leaves.front();
+    // Nothing matched costs nothing, and is the worst.
+    const double cost =
+      match.BranchPairs > 0 ? match.GlobalCost : std::numeric_limits<double>::max();
+    if (cost < least)
+    {
+      least = cost;
+      best = { b,
+        { match.Source.NodeId, match.Target.NodeId, match.Source.BranchId, match.Target.BranchId,
+          OrderOf(match.Source), OrderOf(match.Target) },
+        match.Confidence };
+    }
+  }
+  return best;
+}
+
+SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& target,
+  const GivenCorrespondence& givenSource, const GivenCorrespondence& givenTarget,
+  const std::vector<std::vector<int>>& labelsOfSourceBodies, const TransferParameters& parameters,
+  const Progress& progress)
+{
+  constexpr double afterMatching = 0.2;
+  constexpr double mostConfidenceUnmatched = 0.2;
+  SideTransferResult result;
+  const WorkingSurface& working = target.Surface.Working;
+  std::vector<int> labels(working.Mesh.Triangles.size(), 0);
+  std::vector<double> confidence(working.Mesh.Triangles.size(), 0.0);
+  const double size = static_cast<double>(target.Bodies.size());
+  for (std::size_t b = 0; b < target.Bodies.size(); ++b)
+  {
+    const Progress ofBody = SubProgress(progress, b / size, (b + 1) / size);
+    const Partner partner = givenSource.IsKnown() && givenTarget.IsKnown()
+      ? Partner{ 0,
+          { givenSource.Nodes, givenTarget.Nodes, givenSource.Branches, givenTarget.Branches,
+            givenSource.Order, givenTarget.Order },
+          givenSource.Confidence }
+      : FindPartner(source, target.Bodies[b], SubProgress(ofBody, 0.0, afterMatching));
+    if (!Report(ofBody, afterMatching))
+    {
+      return result;
+    }
+    const AnalyzedMesh& sourceBody = source.Bodies[partner.SourceBody];
+    const MatchedSkeletons match =
+      JoinChains(sourceBody.Skeleton, target.Bodies[b].Skeleton, partner.Ids);
+    TransferResult ofOne = TransferSegmentation(sourceBody, target.Bodies[b], match,
+      match.IsEmpty() ? std::min(partner.Confidence, mostConfidenceUnmatched) : partner.Confidence,
+      labelsOfSourceBodies[partner.SourceBody], parameters,
+      SubProgress(ofBody, afterMatching, 1.0));
+    if (ofOne.IsAborted)
+    {
+      return result;
+    }
+    const Body& body = target.Surface.Bodies[b];
+    for (std::size_t t = 0; t < ofOne.Labels.size(); ++t)
+    {
+      labels[body.OriginalTriangle[t]] = ofOne.Labels[t];
+      confidence[body.OriginalTriangle[t]] = ofOne.Confidence[t];
+    }
+    result.MissingLabels.insert(ofOne.MissingLabels.begin(), ofOne.MissingLabels.end());
+    result.NumberOfMissingPieces =
+      std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
+    result.IsMatched = result.IsMatched && !match.IsEmpty();
+    result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
+    MoveBoundaries(
+      std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
+  }
+
+  const std::vector<int> ofPolygons =
+    LabelsOfPolygons(working, LabelsAtFullResolution(working, labels));
+  // Vertices and lines among the cells are no surface and have no segment.
+  result.Labels.assign(target.Surface.NumberOfCells, -1);
+  result.Confidence.assign(target.Surface.NumberOfCells, 0.0);
+  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
+  {
+    const int cell = target.Surface.CellOfPolygon[p];
+    result.Labels[cell] = ofPolygons[p];
+    result.Confidence[cell] = confidence[working.TriangleOfCell(static_cast<int>(p))];
+  }
+  return result;
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_SideTransfer_h
+#define marrow_SideTransfer_h
+
+#include "AnalyzedSide.h"
+#include "SegmentationTransfer.h"
+
+#include <set>
+#include <vector>
+
+namespace marrow
+{
+/// Which body of the source a body of the target takes its segments from, and how they match.
+struct Partner
+{
+  std::size_t SourceBody = 0;
+  CorrespondenceIds Ids;
+  double Confidence = 0.0;
+};
+
+/// The body of the source that matches `target` at the least cost. What `progress` stops is left unfinished.
+Partner FindPartner(
+  const AnalyzedSide& source, const AnalyzedMesh& target, const Progress& progress);
+
+/// What came over to all bodies of the target, in the terms of the input.
+struct SideTransferResult
+{
+  std::vector<int> Labels;              ///< per cell of the target
+  std::vector<double> Confidence;       ///< per cell of the target, [0,1]
+  std::vector<BoundaryPair> Boundaries; ///< in the coordinates of the two meshes
+  std::set<int> MissingLabels;          ///< labels that some body of the target has not got
+  int NumberOfMissingPieces = 0;        ///< of the body that misses most
+  bool IsMatched = true;                ///< every body has a matched branch
+  bool IsWholeAlignment = false;        ///< some body is aligned as a whole
+};
+
+/// Each body of the target takes its segments from the body of the source that matches it at the least
+/// cost; where the skeletons bring their correspondence, both are one body, and that is used. What
+/// `progress` stops is left unfinished.
+SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& target,
+  const GivenCorrespondence& givenSource, const GivenCorrespondence& givenTarget,
+  const std::vector<std::vector<int>>& labelsOfSourceBodies, const TransferParameters& parameters,
+  const Progress& progress);
+}
+
+#endif
