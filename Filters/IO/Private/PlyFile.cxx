@@ -131,7 +131,22 @@ private:
       return this->Error("it promises more vertices than can be numbered");
     }
     this->NumberOfVertices = vertex->Count;
+    const auto face = std::find_if(this->Header.Elements.begin(), this->Header.Elements.end(),
+      [](const PlyElement& element) { return element.Name == "face"; });
+    this->HasFaces = face != this->Header.Elements.end();
+    if (this->HasFaces && face->Count > 0 &&
+      std::none_of(face->Properties.begin(), face->Properties.end(),
+        [](const PlyProperty& property) { return property.IsList; }))
+    {
+      return this->Error("its faces have no list of corners");
+    }
     return {};
+  }
+
+  /// Strips beside faces would say the same again.
+  bool AreStrips(const PlyElement& element) const
+  {
+    return element.Name == "tristrips" && !this->HasFaces;
   }
 
   static bool IsCornerList(const PlyElement& element, const PlyProperty& property)
@@ -162,7 +177,7 @@ private:
       if (property.IsList)
       {
         const bool isCorners =
-          (isFace || element.Name == "tristrips") && IsCornerList(element, property);
+          (isFace || this->AreStrips(element)) && IsCornerList(element, property);
         target.Purpose = isCorners ? Use::Corners : Use::Nothing;
       }
       else if (isCoordinate)
@@ -239,7 +254,7 @@ private:
         }
       }
     }
-    return element.Name == "tristrips" ? this->EndStrips() : std::string();
+    return this->AreStrips(element) ? this->EndStrips() : std::string();
   }
 
   PlyOutcome ReadInto(FileArray& array, PlyType type)
@@ -350,6 +365,7 @@ private:
   FileMesh& Result;
   const Progress& Watcher;
   std::int64_t NumberOfVertices = 0;
+  bool HasFaces = false;
   bool Aborted = false;
 };
 }

@@ -12,7 +12,8 @@ namespace marrow
 {
 /// Reads a PLY file: text, or binary of either byte order; properties of any type; further elements are
 /// passed over. Points are the element `vertex`, faces the list `vertex_indices` (or `vertex_index`, or
-/// else the first list) of the element `face`, or the triangles of the element `tristrips`. The other
+/// else the first list) of the element `face`, or where there is no such element
+/// the triangles of `tristrips`. The other
 /// properties of vertices and faces become arrays in their own types, lists excepted. Returns one
 /// sentence that says what is wrong, or an empty one (also on abort).
 std::string ReadPlyFile(

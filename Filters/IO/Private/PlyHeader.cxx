@@ -52,6 +52,11 @@ bool ReadElement(const Words& words, PlyHeader& header)
     return false;
   }
   element.Name = words[1];
+  if (std::any_of(header.Elements.begin(), header.Elements.end(),
+        [&element](const PlyElement& other) { return other.Name == element.Name; }))
+  {
+    return false;
+  }
   header.Elements.push_back(element);
   return true;
 }
