@@ -255,8 +255,10 @@ std::string ReadLabels(
       known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
     }
     return "Source: the mesh has no cell array \"" + name + "\" of segments; " +
-      (known.empty() ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader."
-                     : "it has " + known + ": choose one with SetInputArrayToProcess.");
+      (known.empty()
+          ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader, or choose "
+            "other labels with vtkMarrowSegmentSelector."
+          : "it has " + known + ": choose one with SetInputArrayToProcess.");
   }
   const std::string error = ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
   return error.empty() ? error : "Source: " + error;

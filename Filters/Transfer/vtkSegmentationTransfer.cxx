@@ -11,6 +11,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -230,6 +231,12 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   // Viewers prefer point scalars to cell scalars.
   output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
+  output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
+  if (vtkAbstractArray* segmentNames =
+        sourceMesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName))
+  {
+    output->GetFieldData()->AddArray(segmentNames);
+  }
   marrow::WriteNote(target.Surface, output);
   WriteBoundaries(result.Boundaries, true, vtkPolyData::GetData(outputVector, 1));
   marrow::WriteNote(source.Surface, vtkPolyData::GetData(outputVector, 1));

@@ -61,6 +61,7 @@
  *     found in the same place; 0.55 on other branches without a partner) and of the share that the
  *     guided map gives the face's segment, which is small near boundaries and where the map and the
  *     transferred boundaries disagree;
+ *   and the source's field array SegmentName (string), if it has one: at i the name of segment i;
  * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is
  *   repeated at the end of the cell) with the cell arrays BoundaryId (vtkIdType), FirstSegmentId and
  *   SecondSegmentId (int; the segments on the left and on the right of the line as seen from

@@ -4,6 +4,7 @@
 #include <vtkCreatureSource.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMarrowMeshWriter.h>
 #include <vtkMarrowSegmentWriter.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
@@ -284,6 +285,28 @@ TEST_F(MarrowCommand, TransferWritesSegmentsInEveryFormat)
     EXPECT_NE(outcome.Out.find("target.seg,0,0,0,0,0,0,0,1,0"), std::string::npos)
       << format << outcome.Out << outcome.Error;
   }
+}
+
+TEST_F(MarrowCommand, NamesOfGroupsAreThoseOfTheSource)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature(1);
+  this->Write<vtkMarrowMeshWriter>(mesh, "numbered.obj");
+  this->WriteOFF(Creature(2), "target.off");
+  std::string text = Content(this->Folder / "numbered.obj");
+  for (std::size_t at = text.find("segment_"); at != std::string::npos;
+       at = text.find("segment_", at))
+  {
+    text.replace(at, 8, "upper part");
+  }
+  this->WriteText("named.obj", text);
+  this->ExpectSuccess("transfer named.obj target.off --labels groups -o named_target.obj");
+  this->ExpectSuccess("transfer numbered.obj target.off --labels groups -o target.seg");
+  const std::string written = Content(this->Folder / "named_target.obj");
+  EXPECT_NE(written.find("g upper part0\n"), std::string::npos);
+  EXPECT_EQ(written.find("segment_"), std::string::npos);
+  const Outcome outcome =
+    this->Run("evaluate named_target.obj --labels groups --reference target.seg --csv");
+  EXPECT_NE(outcome.Out.find("target.seg,0,0,0,0,0,0,0,1,0"), std::string::npos) << outcome.Out;
 }
 
 TEST_F(MarrowCommand, TransferTakesTheLabelsOfAnotherFile)
