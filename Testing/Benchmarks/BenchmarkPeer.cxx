@@ -23,4 +23,4 @@ void PeerMeanCurvatureSkeleton(benchmark::State& state)
 }
 }
 
-BENCHMARK(PeerMeanCurvatureSkeleton)->Apply(bench::Sizes);
+BENCHMARK(PeerMeanCurvatureSkeleton)->Apply(bench::Sizes)->Arg(200000);

@@ -32,6 +32,20 @@ struct Prepared
   double Faces = 0.0;
 };
 
+/// From a bare mesh to its skeleton: what the peer does.
+void MeasuresAndSkeleton(benchmark::State& state)
+{
+  const auto mesh = bench::Mesh(static_cast<int>(state.range(0)));
+  vtkNew<vtkMSPSkeleton> filter;
+  filter->SetInputData(mesh);
+  for (auto _ : state)
+  {
+    filter->Modified();
+    filter->Update();
+  }
+  state.counters["faces"] = static_cast<double>(mesh->GetNumberOfPolys());
+}
+
 /// From a mesh that has its measures to its skeleton.
 void Skeleton(benchmark::State& state)
 {
@@ -87,6 +101,7 @@ void Transfer(benchmark::State& state)
 }
 }
 
+BENCHMARK(MeasuresAndSkeleton)->Apply(bench::Sizes)->Arg(200000);
 BENCHMARK(Skeleton)->Apply(bench::Sizes);
 BENCHMARK(Correspondence)->Apply(bench::Sizes);
 BENCHMARK(Transfer)->Apply(bench::Sizes);
