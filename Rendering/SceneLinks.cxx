@@ -63,7 +63,7 @@ void SceneLinks::AddTo(vtkRenderWindow* window, double lineWidth)
   this->Points->SetNumberOfPoints(static_cast<vtkIdType>(this->Ends.size()));
   for (std::size_t link = 0; link < this->Ids.size(); ++link)
   {
-    const auto first = static_cast<vtkIdType>(2 * link);
+    const auto first = 2 * static_cast<vtkIdType>(link);
     lines->InsertNextCell({ first, first + 1 });
     double rgb[3];
     vtkLabelColors::GetColor(this->Ids[link], rgb);

@@ -91,14 +91,15 @@ Picture DrawLabels(const std::string&)
   {
     Color color;
     vtkLabelColors::GetColor(label, color.data());
+    const int line = label / 12;
     const double x = 180.0 + side * (label % 12);
     for (int row = 0; row < 2; ++row)
     {
-      const double y = 20.0 + side * (3 - row - 2 * (label / 12)) + (label < 12 ? 20.0 : 0.0);
+      const double y = 20.0 + side * (3 - row - 2 * line) + (label < 12 ? 20.0 : 0.0);
       const Color shown = row == 0 ? color : WithoutGreen(color);
       canvas.Box({ x, y }, { x + side - 4, y + side - 4 }, shown);
       const double brightness = 0.3 * shown[0] + 0.6 * shown[1] + 0.1 * shown[2];
-      canvas.Text({ x + side / 2 - 2, y + side / 2 - 2 }, std::to_string(label), 15,
+      canvas.Text({ x + 0.5 * side - 2, y + 0.5 * side - 2 }, std::to_string(label), 15,
         Canvas::Align::Center, brightness > 0.5 ? Black : Color{ 1.0, 1.0, 1.0 });
     }
   }

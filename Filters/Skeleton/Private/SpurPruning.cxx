@@ -232,7 +232,7 @@ private:
         boost::add_edge(a, b, smaller);
       }
     }
-    graph = std::move(smaller);
+    graph = smaller;
     skeleton.ExtractBranches();
   }
 
