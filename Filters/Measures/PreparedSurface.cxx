@@ -2,6 +2,8 @@
 #include "PreparedSurface.h"
 
 #include "ArrayNames.h"
+#include "CanonicalOrder.h"
+#include "InputCheck.h"
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
 #include "SkeletonFrame.h"
@@ -149,6 +151,27 @@ void Scatter(const PreparedSurface& surface, const std::vector<VertexMeasures>& 
 }
 }
 
+namespace
+{
+/// Turns what the working surface says of points back to the numbers that they had.
+void RestorePoints(const std::vector<int>& originalPoint, WorkingSurface& working)
+{
+  std::vector<int> vertexOfPoint(originalPoint.size());
+  for (std::size_t i = 0; i < originalPoint.size(); ++i)
+  {
+    vertexOfPoint[originalPoint[i]] = working.VertexOfPoint[i];
+  }
+  working.VertexOfPoint = std::move(vertexOfPoint);
+  for (std::vector<int>* points : { &working.PointOfVertex, &working.PointOfFullVertex })
+  {
+    for (int& point : *points)
+    {
+      point = originalPoint[point];
+    }
+  }
+}
+}
+
 std::string PrepareSurface(vtkPolyData* input, int maximumFaces, BodyMode mode,
   PreparedSurface& surface, const Progress& progress)
 {
@@ -156,13 +179,23 @@ std::string PrepareSurface(vtkPolyData* input, int maximumFaces, BodyMode mode,
   SurfaceOfPolyData faces = ToPolygonMesh(input);
   WorkingSurfaceParameters parameters;
   parameters.MaximumFaces = maximumFaces > 0 ? maximumFaces : std::numeric_limits<int>::max();
-  const std::string error =
-    ComputeWorkingSurface(faces.Mesh, parameters, progress, surface.Working);
+  // Before anything is put in another order: the message numbers as the input does.
+  std::string error = CheckInput(faces.Mesh);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const CanonicalPolygons canonical = InCanonicalOrder(faces.Mesh);
+  error = ComputeWorkingSurface(canonical.Mesh, parameters, progress, surface.Working);
   if (!error.empty() || !Report(progress, 1.0))
   {
     return error;
   }
-  surface.CellOfPolygon = std::move(faces.CellOfPolygon);
+  RestorePoints(canonical.OriginalPoint, surface.Working);
+  for (int polygon : canonical.OriginalPolygon)
+  {
+    surface.CellOfPolygon.push_back(faces.CellOfPolygon[polygon]);
+  }
   surface.NumberOfCells = static_cast<int>(input->GetNumberOfCells());
   surface.Working.Report.OtherCells = faces.NumberOfOtherCells;
   const int numberOfBodies = mode == BodyMode::Together ? 1 : surface.Working.NumberOfBodies;

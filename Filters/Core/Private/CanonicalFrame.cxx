@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CanonicalFrame.h"
 
+#include "BinaryScale.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -119,6 +121,12 @@ CanonicalFrame::CanonicalFrame(
   }
 }
 
+void CanonicalFrame::Scale(int exponent)
+{
+  marrow::Scale(this->Center, exponent);
+  this->Unit = std::ldexp(this->Unit, exponent);
+}
+
 double CanonicalFrame::ToGrid(double value)
 {
   // The sum turns -0 into 0, which some functions tell apart.
@@ -147,13 +155,21 @@ double CanonicalFrame::LengthToFrame(double length) const
 
 CanonicalMesh ToCanonicalMesh(const TriangleMesh& mesh)
 {
+  std::vector<int> used(mesh.Points.size());
+  std::iota(used.begin(), used.end(), 0);
+  const int exponent = ScaleExponent(mesh.Points, used);
+  TriangleMesh scaled;
+  scaled.Points = mesh.Points;
+  scaled.Triangles = mesh.Triangles;
+  Scale(scaled.Points, -exponent);
   std::vector<Eigen::Vector3d> centroids(mesh.Triangles.size());
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    centroids[t] = mesh.Centroid(t);
+    centroids[t] = scaled.Centroid(t);
   }
   CanonicalMesh result;
-  result.Frame = CanonicalFrame(centroids, mesh.TriangleAreas());
+  result.Frame = CanonicalFrame(centroids, scaled.TriangleAreas());
+  result.Frame.Scale(exponent);
 
   TriangleMesh moved;
   moved.Triangles = mesh.Triangles;

@@ -39,6 +39,9 @@ public:
     return this->Axes.transpose() * direction;
   }
 
+  /// The frame of the same points times 2^exponent.
+  void Scale(int exponent);
+
   static double ToGrid(double value);
   static Eigen::Vector3d ToGrid(const Eigen::Vector3d& value);
 

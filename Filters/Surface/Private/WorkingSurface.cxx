@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WorkingSurface.h"
 
+#include "BinaryScale.h"
 #include "BodyAssembly.h"
 #include "InputCheck.h"
 #include "MeshCheck.h"
@@ -18,33 +19,6 @@ namespace marrow
 {
 namespace
 {
-/// Powers of areas and volumes leave the range of doubles beyond about 2^±170; a power of two takes the
-/// largest coordinate back near 1 and changes no digit.
-constexpr int LargestExponent = 64;
-
-int ScaleExponent(const PolygonMesh& input)
-{
-  double largest = 0.0;
-  for (int corner : input.Corners)
-  {
-    largest = std::max(largest, input.Points[corner].cwiseAbs().maxCoeff());
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return std::abs(exponent) > LargestExponent ? exponent : 0;
-}
-
-void Scale(std::vector<Eigen::Vector3d>& points, int exponent)
-{
-  for (auto& point : points)
-  {
-    for (int k = 0; exponent != 0 && k < 3; ++k)
-    {
-      point[k] = std::ldexp(point[k], exponent);
-    }
-  }
-}
-
 int NearestCorner(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& point)
 {
   const auto& c = mesh.Triangles[triangle];
@@ -165,7 +139,7 @@ std::string ComputeWorkingSurface(const PolygonMesh& input,
   {
     return error;
   }
-  const int exponent = ScaleExponent(input);
+  const int exponent = ScaleExponent(input.Points, input.Corners);
   PolygonMesh scaled;
   if (exponent != 0)
   {
