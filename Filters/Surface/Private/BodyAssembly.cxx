@@ -24,6 +24,9 @@ constexpr double LeastBodyFaces = 8 * 8 * 2;
 /// finer than the one of the default size, on which the method is at its best.
 const int MostFacesDrawn = WorkingSurfaceParameters().MaximumFaces;
 
+/// And no coarser than gives each of a hundred places along the limbs of a body a ring of fifty vertices.
+constexpr int LeastFacesDrawn = 2 * 100 * 50;
+
 int NearestCorner(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& point)
 {
   const auto& c = mesh.Triangles[triangle];
@@ -192,7 +195,8 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   }
   // A net has two triangles for each square of its grid, and half as many again as the surface lies
   // aslant: twice as many as are wanted.
-  const double spacing = std::sqrt(1.5 * area / faces);
+  const auto spacingFor = [area](int wanted) { return std::sqrt(1.5 * area / wanted); };
+  const double spacing = spacingFor(faces);
   const double leastShare = std::min(1.0, LeastBodyFaces / faces);
   PartRelations relations;
   if (!RelateParts(full, leastShare, spacing, SubProgress(progress, 0.0, 0.5), relations))
@@ -202,6 +206,8 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   report.LeftOutParts =
     static_cast<int>(std::count(relations.IsLeftOut.begin(), relations.IsLeftOut.end(), 1));
   Plan plan = PlanBodies(relations);
+  // The squares of a net are all of one size, where a mesh is finer in some places than in others.
+  const int drawn = std::min(std::max(2 * full.NumberOfTriangles(), LeastFacesDrawn), faces);
   std::vector<std::pair<TriangleMesh, const std::vector<int>*>> wraps;
   for (const auto& [body, triangles] : plan.Wrapped)
   {
@@ -209,7 +215,7 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
     {
       return false;
     }
-    TriangleMesh wrap = WrapVolume(full, triangles, spacing, faces);
+    TriangleMesh wrap = WrapVolume(full, triangles, spacingFor(drawn), drawn);
     if (wrap.Triangles.empty())
     {
       // Too small for the grid beside what lies far away.
@@ -225,6 +231,8 @@ bool AssembleBodies(const TriangleMesh& full, int maximumFaces, const Progress& 
   {
     return true;
   }
+  assembly.MostFaces =
+    std::min(maximumFaces, static_cast<int>(plan.Taken.size()) + (wraps.empty() ? 0 : drawn));
   std::sort(plan.Taken.begin(), plan.Taken.end());
   Assembler assembler(full, assembly);
   assembler.Take(plan.Taken);

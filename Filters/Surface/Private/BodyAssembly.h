@@ -16,6 +16,7 @@ struct BodyAssembly
 {
   bool IsWhole = false; ///< nothing was to do; all below is empty
   TriangleMesh Mesh;
+  int MostFaces = 0; ///< of the working surface: what was drawn anew needs fewer than it has
   std::vector<int> TriangleOfFull; ///< per triangle of the mended mesh: the same, or the nearest
   std::vector<int> VertexOfFull;   ///< per vertex of the mended mesh: the same, or the nearest
   std::vector<int> FullOfVertex;   ///< and back

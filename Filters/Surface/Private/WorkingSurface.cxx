@@ -188,11 +188,11 @@ std::string ComputeWorkingSurface(const PolygonMesh& input,
     fullOfVertex = std::move(bodies.FullOfVertex);
     output.TriangleOfFullTriangle = std::move(bodies.TriangleOfFull);
   }
-  if (output.Mesh.NumberOfTriangles() > parameters.MaximumFaces)
+  const int mostFaces = bodies.IsWhole ? parameters.MaximumFaces : bodies.MostFaces;
+  if (output.Mesh.NumberOfTriangles() > mostFaces)
   {
     SimplifiedMesh simplified;
-    if (!SimplifyMesh(
-          output.Mesh, parameters.MaximumFaces, SubProgress(progress, 0.6, 1.0), simplified))
+    if (!SimplifyMesh(output.Mesh, mostFaces, SubProgress(progress, 0.6, 1.0), simplified))
     {
       return {};
     }
