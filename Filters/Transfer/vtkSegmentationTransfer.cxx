@@ -5,7 +5,9 @@
 #include "ArrayNames.h"
 #include "FilterSupport.h"
 #include "MeshBridge.h"
+#include "ParallelFor.h"
 #include "SegmentLoops.h"
+#include "SharedProgress.h"
 #include "SideTransfer.h"
 
 #include <vtkCellArray.h>
@@ -86,21 +88,50 @@ struct vtkSegmentationTransfer::Analysis
 {
   marrow::AnalyzedSide Sides[2];
 
+  /// Both at a time, as neither needs the other. The error names its side.
   std::string Update(
-    int side, vtkPolyData* mesh, vtkPolyData* skeleton, const marrow::Progress& progress)
+    vtkPolyData* const meshes[2], vtkPolyData* const skeletons[2], const marrow::Progress& progress)
+  {
+    constexpr const char* names[2] = { "Source: ", "Target: " };
+    std::string errors[2];
+    marrow::SharedProgress shared(progress);
+    marrow::ParallelFor(0, 2,
+      [&](int first, int last)
+      {
+        for (int side = first; side < last; ++side)
+        {
+          errors[side] = this->UpdateSide(side, meshes[side], skeletons[side], shared);
+        }
+      });
+    for (int side = 0; side < 2; ++side)
+    {
+      if (!errors[side].empty())
+      {
+        return names[side] + errors[side];
+      }
+    }
+    return {};
+  }
+
+private:
+  std::string UpdateSide(
+    int side, vtkPolyData* mesh, vtkPolyData* skeleton, marrow::SharedProgress& progress)
   {
     const Key key = { mesh, mesh->GetMTime(), skeleton, skeleton ? skeleton->GetMTime() : 0 };
     if (this->Keys[side] == key)
     {
+      progress.Add(0.5);
       return {};
     }
     bool isStopped = false;
+    double done = 0.0;
     this->Keys[side] = {};
     this->Sides[side] = {};
     const std::string error = marrow::AnalyzeSide(mesh, skeleton, this->Sides[side],
       [&](double fraction)
       {
-        isStopped = isStopped || !marrow::Report(progress, fraction);
+        isStopped = isStopped || !progress.Add(0.5 * (fraction - done));
+        done = fraction;
         return !isStopped;
       });
     if (error.empty() && !isStopped)
@@ -110,7 +141,6 @@ struct vtkSegmentationTransfer::Analysis
     return error;
   }
 
-private:
   using Key = std::tuple<vtkPolyData*, vtkMTimeType, vtkPolyData*, vtkMTimeType>;
   Key Keys[2];
 };
@@ -163,17 +193,12 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
   marrow::AnalyzedSide& source = this->Analyzed->Sides[0];
   marrow::AnalyzedSide& target = this->Analyzed->Sides[1];
-  error =
-    this->Analyzed->Update(0, sourceMesh, sourceSkeleton, marrow::ProgressOf(this, 0.0, 0.35));
+  vtkPolyData* const meshes[2] = { sourceMesh, targetMesh };
+  vtkPolyData* const skeletons[2] = { sourceSkeleton, targetSkeleton };
+  error = this->Analyzed->Update(meshes, skeletons, marrow::ProgressOf(this, 0.0, 0.7));
   if (!error.empty())
   {
-    return fail("Source: " + error);
-  }
-  error =
-    this->Analyzed->Update(1, targetMesh, targetSkeleton, marrow::ProgressOf(this, 0.35, 0.7));
-  if (!error.empty())
-  {
-    return fail("Target: " + error);
+    return fail(error);
   }
   if (marrow::IsAborted(this))
   {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -192,6 +193,39 @@ TEST(TransferInputs, TinyMeshesAndOneSegment)
   SetIntArray(
     snake->GetCellData(), names::SegmentId, std::vector<int>(snake->GetNumberOfCells(), -3));
   ExpectValid(snake, SmallCreature(vtkCreatureSource::SNAKE, 2));
+}
+
+TEST(TransferInputs, WhatIsKnownOfAMeshIsForgottenWithIt)
+{
+  const Data source = SmallCreature(vtkCreatureSource::QUADRUPED, 1);
+  const Data target = SmallCreature(vtkCreatureSource::QUADRUPED, 2);
+  vtkNew<vtkSegmentationTransfer> transfer;
+  transfer->SetInputData(0, source);
+  transfer->SetInputData(1, target);
+  transfer->Update();
+  const std::vector<int> before = LabelsOf(Output(transfer));
+
+  // The same object with another surface.
+  const Data other = SmallCreature(vtkCreatureSource::QUADRUPED, 3);
+  target->ShallowCopy(other);
+  target->Modified();
+  transfer->Update();
+  vtkNew<vtkSegmentationTransfer> fresh;
+  fresh->SetInputData(0, source);
+  fresh->SetInputData(1, other);
+  fresh->Update();
+  EXPECT_NE(LabelsOf(Output(transfer)), before);
+  EXPECT_EQ(LabelsOf(Output(transfer)), LabelsOf(Output(fresh)));
+
+  // Other segments of the same source.
+  std::vector<int> segments = LabelsOf(source);
+  std::transform(segments.begin(), segments.end(), segments.begin(), [](int s) { return s + 10; });
+  SetIntArray(source->GetCellData(), names::SegmentId, segments);
+  source->Modified();
+  transfer->Update();
+  std::vector<int> expected = LabelsOf(Output(fresh));
+  std::transform(expected.begin(), expected.end(), expected.begin(), [](int s) { return s + 10; });
+  EXPECT_EQ(LabelsOf(Output(transfer)), expected);
 }
 
 TEST(TransferInputs, SkeletonsAreTakenAwayAgain)

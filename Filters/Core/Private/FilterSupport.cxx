@@ -2,11 +2,9 @@
 #include "FilterSupport.h"
 
 #include <vtkAlgorithm.h>
-#include <vtkCommand.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
@@ -42,24 +40,5 @@ Progress ProgressOf(vtkAlgorithm* filter, double from, double to)
     }
     return !IsAborted(filter);
   };
-}
-
-void WatchInner(vtkAlgorithm* outer, vtkAlgorithm* inner, double from, double to)
-{
-  struct Watch : vtkCommand
-  {
-    static Watch* New() { return new Watch; }
-    void Execute(vtkObject* caller, unsigned long, void* fraction) override
-    {
-      if (!this->Outward(*static_cast<double*>(fraction)))
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    }
-    Progress Outward;
-  };
-  vtkNew<Watch> watch;
-  watch->Outward = ProgressOf(outer, from, to);
-  inner->AddObserver(vtkCommand::ProgressEvent, watch);
 }
 }

@@ -21,10 +21,6 @@ bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input);
 /// A callback that moves the filter's progress from `from` to `to`, in steps of a thousandth or more,
 /// and tells of an abort.
 Progress ProgressOf(vtkAlgorithm* filter, double from = 0.0, double to = 1.0);
-
-/// Lets a filter that `outer` runs inside itself move outer's progress from `from` to `to`, and stops
-/// it when outer is asked to stop. Lasts as long as both filters.
-void WatchInner(vtkAlgorithm* outer, vtkAlgorithm* inner, double from, double to);
 }
 
 #endif
