@@ -41,7 +41,7 @@ void WriteBoundaries(
   std::vector<int> ids;
   std::vector<int> first;
   std::vector<int> second;
-  std::vector<unsigned char> strict;
+  std::vector<unsigned char> enclosesBranch;
   for (std::size_t b = 0; b < boundaries.size(); ++b)
   {
     const marrow::BoundaryPair& pair = boundaries[b];
@@ -60,7 +60,7 @@ void WriteBoundaries(
     ids.push_back(static_cast<int>(b));
     first.push_back(pair.LeftLabel);
     second.push_back(pair.RightLabel);
-    strict.push_back(pair.IsStrict ? 1 : 0);
+    enclosesBranch.push_back(pair.EnclosesBranch ? 1 : 0);
   }
   output->Initialize();
   output->SetPoints(points);
@@ -68,7 +68,7 @@ void WriteBoundaries(
   marrow::SetIdArray(output->GetCellData(), marrow::names::BoundaryId, ids);
   marrow::SetIntArray(output->GetCellData(), "FirstSegmentId", first);
   marrow::SetIntArray(output->GetCellData(), "SecondSegmentId", second);
-  marrow::SetArray(output->GetCellData(), "EnclosesBranch", strict);
+  marrow::SetArray(output->GetCellData(), "EnclosesBranch", enclosesBranch);
 }
 
 std::string Join(const std::set<int>& values)

@@ -3,27 +3,30 @@
  * @class   vtkSegmentationTransfer
  * @brief   carries the segments of one mesh to another that is like it
  *
- * The method is that of S.-K. Wong, J.-A. Yang, T.-C. Ho, J.-H. Chuang, "A Skeleton-Based Approach
- * for Consistent Segmentation Transfer" (2012). Every segment boundary that encloses one branch of
- * the source's skeleton is placed on the matching branch of the target: where along it, by what the
- * surface is like along both branches, with the places where the thickness changes (ghost
- * boundaries) as landmarks; how it lies, by the frames of the matched branches; its shape, by
- * cylindrical parameterizations of the surface round both; and a snake draws it to features of the
- * surface. The boundaries cut the target, and the regions take their segments.
+ * The skeletons are used as S.-K. Wong, J.-A. Yang, T.-C. Ho, J.-H. Chuang do in "A Skeleton-Based
+ * Approach for Consistent Segmentation Transfer" (2012): matched branches are aligned along their
+ * length by what the surface is like along both, with the places where the thickness changes (ghost
+ * boundaries) as landmarks, and turned by the frames of the matched branches. From that follows a
+ * dense correspondence: each target vertex is moved to the source's space with its part of the
+ * skeleton, drawn to the surface there, and looks up the segments.
  *
- * What the paper leaves out is carried by a guided map: each target vertex is moved to the source's
- * space with its part of the skeleton, and looks up the segments there; one graph cut over the
- * target then settles the boundaries that enclose several branches or none, and those that found no
- * closed place or one that contradicts the map. The result is always a valid labelling: no face is without a segment, and each
- * connected piece of a segment on the source is one connected piece on the target, or absent and
- * reported.
+ * One energy over the target's faces then settles all boundaries at once: faces want the segment that
+ * the dense correspondence finds, boundaries want to be short and to run in concave places, the more
+ * so the more the source's own boundaries do. Alpha expansion minimizes it. The result is always a
+ * valid labelling: no face is without a segment, and each connected piece of a segment on the source
+ * is one connected piece on the target, or absent and reported.
+ *
+ * With StrictBoundaries, the boundaries go the paper's way: each that encloses one branch is placed
+ * on the matching branch of the target, its shape carried by cylindrical parameterizations of the
+ * surface round both, and a snake draws it to features of the surface; near it the labels follow it.
+ * All others are not carried: the segments beside them become one.
  *
  * Parts of the two skeletons that are matched on neither side but lie in the same place (the backs of
- * two chairs, one with a loop more) are taken for each other by the guided map: each connected part of
+ * two chairs, one with a loop more) are taken for each other by the dense correspondence: each connected part of
  * the target without a partner is carried by the similarity that fits the matched nodes best, those
  * near it counting most, and its nodes stand for the nearest ones of the source without a partner, no
  * further away than 0.15 of the source's bounding box diagonal. They count half as certain as matched
- * ones. No boundary is placed on such a part by itself; the map alone brings its segments.
+ * ones.
  *
  * Any other segment that lies on branches without a partner is not guessed: its faces join the
  * neighbour and a warning names it. If the skeletons have no matched branch at all, or bring the
@@ -59,16 +62,15 @@
  *   - SegmentConfidence (double in [0,1]): the product of the correspondence's confidence, of how
  *     far the face lies on matched branches (1; 0.75 on parts that are matched on neither side but were
  *     found in the same place; 0.55 on other branches without a partner) and of the share that the
- *     guided map gives the face's segment, which is small near boundaries and where the map and the
- *     transferred boundaries disagree;
+ *     dense correspondence gives the face's segment, which is small near boundaries;
  *   and the source's field array SegmentName (string), if it has one: at i the name of segment i;
  * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is
  *   repeated at the end of the cell) with the cell arrays BoundaryId (vtkIdType), FirstSegmentId and
  *   SecondSegmentId (int; the segments on the left and on the right of the line as seen from
- *   outside), EnclosesBranch (unsigned char; 1 if the boundary went the paper's way, by the one
- *   branch that it encloses). Lines of equal BoundaryId correspond point by point. The source has all
- *   of its closed boundaries, the target those that were transferred. Target points lie on edges and
- *   vertices; the labels change along whole edges next to them.
+ *   outside), EnclosesBranch (unsigned char; 1 if the source's line encloses exactly one branch, and
+ *   that is matched). Lines of equal BoundaryId correspond point by point. The source has all of its
+ *   closed boundaries, the target those that have a counterpart among its labels, along the edges
+ *   between them; with StrictBoundaries the curves of the snake.
  *
  * Errors: a source without the segment array (the message names those there are), or with one of
  * another size, more than one component, values that are no integers, or more than 500 connected
@@ -101,7 +103,8 @@ public:
 
   ///@{
   /**
-   * Only the boundaries of the paper: those that enclose exactly one branch are transferred; all
+   * Only the boundaries of the paper, and its way to carry them: those that enclose exactly one branch
+   * are transferred one by one, by cylindrical parameterization and snake; all
    * others are dropped, and the smaller segments beside them join the largest. Default off.
    */
   vtkSetMacro(StrictBoundaries, bool);
@@ -130,7 +133,7 @@ public:
 
   ///@{
   /**
-   * The snake takes vertices for the same feature whose dihedral angles differ by less than this
+   * With StrictBoundaries, the snake takes vertices for the same feature whose dihedral angles differ by less than this
    * (the paper's λ), in radians. Default 0.1, range 0 to π.
    */
   vtkSetClampMacro(Lambda, double, 0.0, 3.14159265358979);
@@ -139,7 +142,7 @@ public:
 
   ///@{
   /**
-   * How far a point of a boundary may be moved by the snake, as a fraction of the longest geodesic
+   * With StrictBoundaries, how far a point of a boundary may be moved by the snake, as a fraction of the longest geodesic
    * distance on the target. 0 lets it stay on the nearest edge. Default 0.02, range 0 to 0.2.
    */
   vtkSetClampMacro(SearchRegion, double, 0.0, 0.2);

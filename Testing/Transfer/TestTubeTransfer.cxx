@@ -63,7 +63,7 @@ TEST(TubeTransfer, RingGoesToTheSameRatioOfALongerThickerTube)
   EXPECT_GT(Agreement(target, result, height), 0.985);
   ASSERT_EQ(result.Boundaries.size(), 1u);
   const BoundaryPair& pair = result.Boundaries.front();
-  EXPECT_TRUE(pair.IsStrict);
+  EXPECT_TRUE(pair.EnclosesBranch);
   ASSERT_EQ(pair.TargetPoints.size(), pair.SourcePoints.size());
   for (std::size_t i = 0; i < pair.TargetPoints.size(); ++i)
   {
@@ -186,7 +186,7 @@ TEST(TubeTransfer, PatchOnTheSideIsCarriedByTheMap)
     for (std::size_t t = 0; t < tube.Fraction.size(); ++t)
     {
       labels.push_back(
-        std::abs(tube.Fraction[t] - 0.5) < 0.12 && std::abs(tube.Angle[t]) < 0.8 ? 7 : 3);
+        std::abs(tube.Fraction[t] - 0.5) < 0.15 && std::abs(tube.Angle[t]) < 1.0 ? 7 : 3);
     }
     return labels;
   };
@@ -201,7 +201,7 @@ TEST(TubeTransfer, PatchOnTheSideIsCarriedByTheMap)
   }
   EXPECT_GT(both / either, 0.75);
   ASSERT_EQ(result.Boundaries.size(), 1u);
-  EXPECT_FALSE(result.Boundaries[0].IsStrict);
+  EXPECT_FALSE(result.Boundaries[0].EnclosesBranch);
   EXPECT_EQ(result.Boundaries[0].TargetPoints.size(), result.Boundaries[0].SourcePoints.size());
 
   // The paper's own way drops it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryPairs.h"
 
+#include "BoundaryTransfer.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -107,10 +109,8 @@ std::vector<Eigen::Vector3d> Correspond(const std::vector<Eigen::Vector3d>& sour
 }
 }
 
-std::vector<BoundaryPair> PairBoundaries(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const SegmentPieces& pieces, const std::vector<SegmentLoop>& loops,
-  const std::vector<LoopCut>& cuts, const GuidedMap& map,
-  const std::vector<int>& pieceOfTargetTriangle)
+std::vector<BoundaryPair> PairsOfLoops(const AnalyzedMesh& source, const MatchedSkeletons& match,
+  const SegmentPieces& pieces, const std::vector<SegmentLoop>& loops)
 {
   std::vector<BoundaryPair> pairs(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i)
@@ -118,23 +118,21 @@ std::vector<BoundaryPair> PairBoundaries(const AnalyzedMesh& source, const Analy
     pairs[i].LeftLabel = pieces.LabelOfPiece[loops[i].LeftPiece];
     pairs[i].RightLabel = pieces.LabelOfPiece[loops[i].RightPiece];
     pairs[i].SourcePoints = Gather(source.Mesh.Points, loops[i].Vertices(source.Mesh));
+    pairs[i].EnclosesBranch = FindSeat(source, match, loops[i]).has_value();
   }
-  for (const LoopCut& cut : cuts)
-  {
-    pairs[cut.Loop].TargetPoints = cut.Cut.Curve.Points;
-    pairs[cut.Loop].IsStrict = true;
-  }
+  return pairs;
+}
 
+void FindTargetBoundaries(const AnalyzedMesh& target, const std::vector<SegmentLoop>& loops,
+  const GuidedMap& map, const std::vector<int>& pieceOfTargetTriangle,
+  std::vector<BoundaryPair>& pairs)
+{
   // The target's pieces are labelled with the source's, so a loop there says which two it parts.
   const SegmentPieces targetPieces = FindPieces(target.Mesh, pieceOfTargetTriangle);
   const std::vector<SegmentLoop> targetLoops = FindLoops(target.Mesh, targetPieces);
   std::vector<bool> isTaken(targetLoops.size(), false);
   for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    if (pairs[i].IsStrict)
-    {
-      continue;
-    }
     const Eigen::Vector3d center = Mean(pairs[i].SourcePoints);
     double least = std::numeric_limits<double>::infinity();
     int best = -1;
@@ -171,6 +169,5 @@ std::vector<BoundaryPair> PairBoundaries(const AnalyzedMesh& source, const Analy
     pairs[i].TargetPoints = Correspond(
       pairs[i].SourcePoints, Gather(target.Mesh.Points, vertices), Gather(map.Positions, vertices));
   }
-  return pairs;
 }
 }

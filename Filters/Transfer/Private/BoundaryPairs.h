@@ -4,7 +4,7 @@
 
 #include "AnalyzedMesh.h"
 #include "GuidedMap.h"
-#include "RegionMatch.h"
+#include "MatchedSkeletons.h"
 #include "SegmentLoops.h"
 #include "SegmentationTransfer.h"
 
@@ -12,14 +12,16 @@
 
 namespace marrow
 {
-/// Every loop of the source with its partner on the target. A loop that was transferred by its
-/// branch brings its own; for the others the boundary between the same two pieces on the labelled
-/// target is taken (of several the one that the guided map brings nearest) and corresponding points
-/// sit at equal fractions of the length, from the start that fits best.
-std::vector<BoundaryPair> PairBoundaries(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const SegmentPieces& pieces, const std::vector<SegmentLoop>& loops,
-  const std::vector<LoopCut>& cuts, const GuidedMap& map,
-  const std::vector<int>& pieceOfTargetTriangle);
+/// A pair for every loop of the source, which has no partner yet.
+std::vector<BoundaryPair> PairsOfLoops(const AnalyzedMesh& source, const MatchedSkeletons& match,
+  const SegmentPieces& pieces, const std::vector<SegmentLoop>& loops);
+
+/// Finds the partners: the boundaries between the same two pieces on the labelled target, of several
+/// the one that the dense map brings nearest. Corresponding points sit at equal fractions of the
+/// length, from the start that fits best.
+void FindTargetBoundaries(const AnalyzedMesh& target, const std::vector<SegmentLoop>& loops,
+  const GuidedMap& map, const std::vector<int>& pieceOfTargetTriangle,
+  std::vector<BoundaryPair>& pairs);
 }
 
 #endif

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace marrow
 {
@@ -113,34 +112,22 @@ std::vector<std::pair<int, char>> SidesOfCurve(
   return sides;
 }
 
-BoundaryTransfer::BoundaryTransfer(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const MatchedSkeletons& match, const SkeletonMap& map, const Parameters& parameters)
-  : Source(source)
-  , Target(target)
-  , Match(match)
-  , Map(map)
-  , Settings(parameters)
-  , SourcePaths(source.Mesh)
-  , TargetPaths(target.Mesh)
-  , SearchRadius(parameters.SearchRegion * LongestGeodesic(target.Mesh))
+std::optional<Seat> FindSeat(
+  const AnalyzedMesh& source, const MatchedSkeletons& match, const SegmentLoop& loop)
 {
-}
-
-std::optional<BoundaryTransfer::Seat> BoundaryTransfer::FindSeat(const SegmentLoop& loop) const
-{
-  const Enclosure enclosure = FindEnclosure(this->Source, loop.HalfEdges);
+  const Enclosure enclosure = FindEnclosure(source, loop.HalfEdges);
   if (enclosure.NumberOfBranches != 1)
   {
     return {};
   }
   // The chain that runs through the branch, and where: by the branch's nodes around the place.
-  const Branch& branch = this->Source.Skeleton.Branches[enclosure.Branch];
+  const Branch& branch = source.Skeleton.Branches[enclosure.Branch];
   const ChainPosition at = LocateOnChain(branch, enclosure.ArcLength / branch.Length());
   const int a = branch.Nodes[at.Index];
   const int b = branch.Nodes[std::min(at.Index + 1, static_cast<int>(branch.Nodes.size()) - 1)];
-  for (std::size_t c = 0; c < this->Match.Chains.size(); ++c)
+  for (std::size_t c = 0; c < match.Chains.size(); ++c)
   {
-    const Branch& chain = this->Match.Chains[c].Source;
+    const Branch& chain = match.Chains[c].Source;
     for (std::size_t i = 1; i < chain.Nodes.size(); ++i)
     {
       const bool along = chain.Nodes[i - 1] == a && chain.Nodes[i] == b;
@@ -154,6 +141,19 @@ std::optional<BoundaryTransfer::Seat> BoundaryTransfer::FindSeat(const SegmentLo
     }
   }
   return {};
+}
+
+BoundaryTransfer::BoundaryTransfer(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, const SkeletonMap& map, const Parameters& parameters)
+  : Source(source)
+  , Target(target)
+  , Match(match)
+  , Map(map)
+  , Settings(parameters)
+  , SourcePaths(source.Mesh)
+  , TargetPaths(target.Mesh)
+  , SearchRadius(parameters.SearchRegion * LongestGeodesic(target.Mesh))
+{
 }
 
 BoundaryTransfer::SourceLoop BoundaryTransfer::Describe(
@@ -183,7 +183,7 @@ BoundaryTransfer::SourceLoop BoundaryTransfer::Describe(
   return result;
 }
 
-std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferByFrame(
+std::optional<BoundaryTransfer::Cut> BoundaryTransfer::Transfer(
   const SegmentLoop& loop, const Seat& seat, double targetRatio)
 {
   const ChainPair& chain = this->Match.Chains[seat.Chain];
@@ -216,53 +216,6 @@ std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferByFrame(
     rayEnds.push_back(ring.Plane.Center + ring.Scale * (ring.ToTarget * ray));
   }
   ring.Seeds = SeedsOfRays(this->Target.Mesh, ring.Plane.Center, rayEnds);
-  return this->TransferToRing(source, ring);
-}
-
-std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferByMap(const SegmentLoop& loop,
-  const Seat& seat, const std::vector<Eigen::Vector3d>& mappedVertices,
-  const std::vector<Eigen::Vector3d>& foundPoints)
-{
-  const SourceLoop source = this->Describe(loop, seat);
-  const std::vector<Eigen::Vector3d> samples =
-    SampleLoop(this->Source.Mesh, source.Vertices, 2 * NumberOfRays);
-  TargetRing ring;
-  double sourceRadius = 0.0;
-  for (const Eigen::Vector3d& sample : samples)
-  {
-    // The vertex that the map brings nearest, and whose own match is near as well.
-    double least = std::numeric_limits<double>::infinity();
-    int seed = 0;
-    for (int v = 0; v < this->Target.Mesh.NumberOfVertices(); ++v)
-    {
-      const double cost =
-        (mappedVertices[v] - sample).squaredNorm() + (foundPoints[v] - sample).squaredNorm();
-      if (cost < least)
-      {
-        least = cost;
-        seed = v;
-      }
-    }
-    if (ring.Seeds.empty() || ring.Seeds.back() != seed)
-    {
-      ring.Seeds.push_back(seed);
-    }
-    sourceRadius += (sample - source.Plane.Center).norm() / samples.size();
-  }
-  if (ring.Seeds.size() < 3)
-  {
-    return {};
-  }
-  ring.Plane = FitPlane(this->Target.Mesh, ring.Seeds);
-  const Eigen::Matrix3d rotation = this->Map.Rotation(seat.Chain, seat.Ratio).transpose();
-  const Eigen::Vector3d carried = rotation * source.Plane.Normal;
-  if (ring.Plane.Normal.dot(carried) < 0.0)
-  {
-    ring.Plane.Normal = -ring.Plane.Normal;
-  }
-  ring.ToTarget =
-    Eigen::Quaterniond::FromTwoVectors(carried, ring.Plane.Normal).toRotationMatrix() * rotation;
-  ring.Scale = sourceRadius > 0.0 ? ring.Plane.Radius / sourceRadius : 1.0;
   return this->TransferToRing(source, ring);
 }
 

@@ -14,7 +14,17 @@
 
 namespace marrow
 {
-/// Transfers boundaries that enclose exactly one matched branch (T:4.1 to 4.4).
+/// Where a source loop sits: on a chain, at a ratio from its front.
+struct Seat
+{
+  int Chain = -1;
+  double Ratio = 0.0;
+};
+/// Nothing if the loop encloses no branch, several, or one without a partner.
+std::optional<Seat> FindSeat(
+  const AnalyzedMesh& source, const MatchedSkeletons& match, const SegmentLoop& loop);
+
+/// Transfers boundaries that enclose exactly one matched branch (transfer paper, 4.1 to 4.4).
 class BoundaryTransfer
 {
 public:
@@ -27,15 +37,6 @@ public:
   BoundaryTransfer(const AnalyzedMesh& source, const AnalyzedMesh& target,
     const MatchedSkeletons& match, const SkeletonMap& map, const Parameters& parameters);
 
-  /// Where a source loop sits: on a chain, at a ratio from its front.
-  struct Seat
-  {
-    int Chain = -1;
-    double Ratio = 0.0;
-  };
-  /// Nothing if the loop encloses no branch, several, or one without a partner.
-  std::optional<Seat> FindSeat(const SegmentLoop& loop) const;
-
   /// A loop on the target.
   struct Cut
   {
@@ -46,16 +47,10 @@ public:
     bool LeftIsFront = false; ///< whether the source loop's left side is the one before it
   };
 
-  /// The paper's way: the plane of the loop is carried by the frames of the matched branches to
+  /// The plane of the loop is carried by the frames of the matched branches to
   /// `targetRatio` of the target's chain, and rays find the surface there. Nothing if source or
   /// target have no annulus.
-  std::optional<Cut> TransferByFrame(const SegmentLoop& loop, const Seat& seat, double targetRatio);
-
-  /// Ours: the points of the loop find the surface by the guided map. It holds near junctions, where
-  /// a branch's plane and rays leave the limb.
-  std::optional<Cut> TransferByMap(const SegmentLoop& loop, const Seat& seat,
-    const std::vector<Eigen::Vector3d>& mappedVertices,
-    const std::vector<Eigen::Vector3d>& foundPoints);
+  std::optional<Cut> Transfer(const SegmentLoop& loop, const Seat& seat, double targetRatio);
 
 private:
   struct SourceLoop

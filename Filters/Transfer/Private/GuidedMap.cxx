@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GuidedMap.h"
 
-#include "MeshSmoother.h"
 #include "ParallelFor.h"
 #include "SourceSearch.h"
 #include "WholeAlignment.h"
@@ -38,7 +37,7 @@ double MeanRadius(const AnalyzedMesh& side)
 /// Per vertex the 3 x 4 transformation to the source, flattened to a row, smoothed over the surface.
 Eigen::MatrixXd SmoothTransforms(const AnalyzedMesh& target,
   const std::vector<SkeletonMap::Place>& places, const Eigen::Matrix<double, 3, 4>& whole,
-  double width)
+  const MeshSmoother& smoother)
 {
   Eigen::MatrixXd rows(target.Mesh.NumberOfVertices(), 12);
   for (int v = 0; v < target.Mesh.NumberOfVertices(); ++v)
@@ -47,7 +46,7 @@ Eigen::MatrixXd SmoothTransforms(const AnalyzedMesh& target,
     const auto& transform = node >= 0 && places[node].Known ? places[node].Transform : whole;
     rows.row(v) = Eigen::Map<const Eigen::RowVectorXd>(transform.data(), 12);
   }
-  return MeshSmoother(target.Mesh, width).Smooth(rows);
+  return smoother.Smooth(rows);
 }
 
 std::vector<SourceSearch::Query> QueriesAsWhole(
@@ -75,11 +74,12 @@ double CertaintyOf(const SkeletonMap::Place& place)
 
 std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
   const AnalyzedMesh& target, const std::vector<SkeletonMap::Place>& places,
-  const Eigen::Matrix<double, 3, 4>& whole, double width, std::vector<double>& certainty)
+  const Eigen::Matrix<double, 3, 4>& whole, const MeshSmoother& smoother,
+  std::vector<double>& certainty)
 {
   const TriangleMesh& mesh = target.Mesh;
   const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
-  const Eigen::MatrixXd transforms = SmoothTransforms(target, places, whole, width);
+  const Eigen::MatrixXd transforms = SmoothTransforms(target, places, whole, smoother);
   std::vector<SourceSearch::Query> queries(mesh.NumberOfVertices());
   certainty.assign(mesh.NumberOfVertices(), 1.0);
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
@@ -137,7 +137,7 @@ double Misfit(const AnalyzedMesh& source, const std::vector<double>& areas,
 
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<SkeletonMap::Place>& places, bool anyMatched, const SegmentPieces& pieces,
-  const std::vector<bool>& isTransferred, const Progress& progress)
+  const std::vector<bool>& isTransferred, const MeshSmoother& blend, const Progress& progress)
 {
   const TriangleMesh& mesh = target.Mesh;
   const int numberOfVertices = mesh.NumberOfVertices();
@@ -146,7 +146,7 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   result.FoundPoints.resize(numberOfVertices);
   result.Certainty.assign(numberOfVertices, 1.0);
 
-  const double meanRadius = MeanRadius(target);
+  const MeshSmoother smoother(mesh, 0.5 * MeanRadius(target));
   const SourceSearch search(source, pieces, isTransferred);
   const std::vector<double> areas = mesh.VertexAreas();
   std::vector<SourceSearch::Answer> answers;
@@ -162,7 +162,7 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   {
     std::vector<double> certainty;
     const std::vector<SourceSearch::Query> guided =
-      QueriesBySkeleton(source, target, places, whole, 0.5 * meanRadius, certainty);
+      QueriesBySkeleton(source, target, places, whole, smoother, certainty);
     std::vector<SourceSearch::Answer> found;
     FindAll(search, guided, found);
     // A correspondence that is wrong brings the surfaces together no better than none.
@@ -180,7 +180,6 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   {
     return result;
   }
-  const MeshSmoother smoother(mesh, 0.5 * meanRadius);
   for (int round = 0; round < NumberOfCorrections; ++round)
   {
     Eigen::MatrixXd displacements(numberOfVertices, 3);
@@ -211,8 +210,7 @@ GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
       result.Shares(v, piece) += share;
     }
   }
-  result.Width = 0.15 * meanRadius;
-  result.Shares = MeshSmoother(mesh, result.Width).Smooth(result.Shares);
+  result.Shares = blend.Smooth(result.Shares);
   return result;
 }
 }

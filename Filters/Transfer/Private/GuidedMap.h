@@ -3,6 +3,7 @@
 #define marrow_GuidedMap_h
 
 #include "AnalyzedMesh.h"
+#include "MeshSmoother.h"
 #include "Progress.h"
 #include "SegmentLoops.h"
 #include "SkeletonMap.h"
@@ -23,7 +24,6 @@ struct GuidedMap
   /// Target vertices x source pieces: how likely the vertex belongs to the piece. Rows sum to 1.
   Eigen::MatrixXd Shares;
   bool IsWholeAlignment = true; ///< the skeletons were of no use
-  double Width = 0.0;           ///< over which shares change at a boundary, in the target's units
 };
 
 /// Each target vertex is carried by the transformation of its node (SkeletonMap::Place), smoothed
@@ -31,7 +31,7 @@ struct GuidedMap
 /// normal and a near place on the skeleton are looked up. Displacements to what was found, smoothed,
 /// then correct the positions and the search is repeated, a few times: proportions that the skeleton
 /// does not show (the depth of a chest) are taken up by that. The shares of the pieces are at last
-/// smoothed over a fraction of the local radius, as the map is no more exact than that.
+/// smoothed by `blend`, as the map is no more exact than that.
 ///
 /// Pieces with `isTransferred` false are skipped: their place goes to their neighbours.
 /// The target is also aligned as a whole (AlignWhole). That is used instead if no chain is matched,
@@ -39,7 +39,7 @@ struct GuidedMap
 /// or a machine part.
 GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<SkeletonMap::Place>& places, bool anyMatched, const SegmentPieces& pieces,
-  const std::vector<bool>& isTransferred, const Progress& progress);
+  const std::vector<bool>& isTransferred, const MeshSmoother& blend, const Progress& progress);
 }
 
 #endif

@@ -22,6 +22,7 @@ double CotangentWeight(const TriangleMesh& mesh, int halfEdge, double least)
 }
 
 MeshSmoother::MeshSmoother(const TriangleMesh& mesh, double width)
+  : Width(width)
 {
   const int n = mesh.NumberOfVertices();
   const std::vector<double> areas = mesh.VertexAreas();

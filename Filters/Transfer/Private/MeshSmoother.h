@@ -19,10 +19,13 @@ public:
   /// Factors the matrix once; each column smoothed later is cheap.
   MeshSmoother(const TriangleMesh& mesh, double width);
 
+  double GetWidth() const { return this->Width; }
+
   /// One row per vertex, one column per quantity.
   Eigen::MatrixXd Smooth(const Eigen::MatrixXd& values) const;
 
 private:
+  double Width;
   Eigen::VectorXd Mass;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> Solver;
 };

@@ -2,16 +2,17 @@
 #include "SegmentationTransfer.h"
 
 #include "BoundaryPairs.h"
-#include "BoundaryPlacement.h"
 #include "BoundaryTransfer.h"
+#include "EdgePrices.h"
+#include "FaceLabels.h"
 #include "GhostBoundary.h"
 #include "GuidedMap.h"
-#include "InteriorLabels.h"
 #include "LabelCleanUp.h"
 #include "LeftoverPlaces.h"
-#include "RegionMatch.h"
+#include "MeshSmoother.h"
 #include "SegmentLoops.h"
 #include "SkeletonMap.h"
+#include "StrictBoundaries.h"
 
 #include <algorithm>
 #include <map>
@@ -22,6 +23,10 @@ namespace marrow
 {
 namespace
 {
+/// The width over which segments blend at their boundaries and concavity is measured, of the
+/// diagonal; any from 0.005 to 0.02 does.
+constexpr double BlendWidth = 0.01;
+
 void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const MatchedSkeletons& match, const TransferParameters& parameters, SkeletonMap& map)
 {
@@ -82,115 +87,14 @@ std::vector<bool> TransferredPieces(const AnalyzedMesh& source, const SegmentPie
     : std::vector<bool>(pieces.NumberOfPieces(), true);
 }
 
-/// A triangle at either tip of every matched pair of limbs.
-std::vector<TrianglePair> TipsOfMatchedLimbs(
-  const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
+/// Edges of the target are as cheap where concave as the source's own boundaries keep to concavities.
+std::vector<double> PricesLikeSource(const TriangleMesh& source, const SegmentPieces& pieces,
+  const TriangleMesh& target, const MeshSmoother& blend)
 {
-  const auto triangleAt = [](const AnalyzedMesh& side, int node)
-  {
-    const std::vector<int>& vertices = side.Skeleton.Graph[node].Vertices;
-    const int h = vertices.empty() ? -1 : side.Mesh.Outgoing[vertices.front()];
-    return side.Skeleton.TypeOf(node) == NodeType::Terminal && h >= 0 ? TriangleMesh::TriangleOf(h)
-                                                                      : -1;
-  };
-  std::vector<TrianglePair> tips;
-  for (const ChainPair& chain : match.Chains)
-  {
-    for (const bool back : { false, true })
-    {
-      const int s = triangleAt(source, back ? chain.Source.Back() : chain.Source.Front());
-      const int t = triangleAt(target, back ? chain.Target.Back() : chain.Target.Front());
-      if (s >= 0 && t >= 0)
-      {
-        tips.emplace_back(s, t);
-      }
-    }
-  }
-  return tips;
-}
-
-/// What each region of the target may be: the pieces of its partner on the source.
-AllowedPieces PiecesOfRegions(const SegmentPieces& pieces, const RegionMatch& match,
-  const std::vector<bool>& isTransferred, bool largestOnly)
-{
-  std::vector<std::set<int>> ofSourceRegion;
-  for (std::size_t t = 0; t < match.SourceRegionOfTriangle.size(); ++t)
-  {
-    const int piece = pieces.PieceOfTriangle[t];
-    const std::size_t region = static_cast<std::size_t>(match.SourceRegionOfTriangle[t]);
-    if (isTransferred[piece])
-    {
-      ofSourceRegion.resize(std::max(ofSourceRegion.size(), region + 1));
-      ofSourceRegion[region].insert(piece);
-    }
-  }
-  AllowedPieces allowed;
-  for (int region : match.SourceRegion)
-  {
-    allowed.emplace_back();
-    if (region >= 0 && region < static_cast<int>(ofSourceRegion.size()))
-    {
-      allowed.back().assign(ofSourceRegion[region].begin(), ofSourceRegion[region].end());
-    }
-    if (largestOnly && allowed.back().size() > 1)
-    {
-      allowed.back().assign(1,
-        *std::max_element(allowed.back().begin(), allowed.back().end(),
-          [&](int a, int b) { return pieces.AreaOfPiece[a] < pieces.AreaOfPiece[b]; }));
-    }
-  }
-  return allowed;
-}
-
-double ShareOf(const AnalyzedMesh& target, const GuidedMap& map, int triangle, int piece)
-{
-  const auto& corners = target.Mesh.Triangles[triangle];
-  return (map.Shares(corners[0], piece) + map.Shares(corners[1], piece) +
-           map.Shares(corners[2], piece)) /
-    3.0;
-}
-
-/// A piece so small that the cut lost it gets the triangles where the map sees it best, but never
-/// more than half of what another piece has.
-void RestoreLostPieces(const AnalyzedMesh& target, const GuidedMap& map,
-  const std::vector<bool>& isTransferred, std::vector<int>& pieceOfTriangle)
-{
-  const int n = static_cast<int>(pieceOfTriangle.size());
-  std::vector<int> count(isTransferred.size(), 0);
-  for (int piece : pieceOfTriangle)
-  {
-    ++count[piece];
-  }
-  for (int piece = 0; piece < static_cast<int>(isTransferred.size()); ++piece)
-  {
-    if (!isTransferred[piece] || count[piece] > 0)
-    {
-      continue;
-    }
-    double largest = 0.0;
-    for (int t = 0; t < n; ++t)
-    {
-      largest = std::max(largest, ShareOf(target, map, t, piece));
-    }
-    constexpr double leastShare = 0.1;
-    if (largest < leastShare)
-    {
-      continue;
-    }
-    std::vector<int> left = count;
-    for (int t = 0; t < n; ++t)
-    {
-      int& current = pieceOfTriangle[t];
-      if (ShareOf(target, map, t, piece) >= 0.5 * largest &&
-        2 * (left[current] - 1) >= count[current])
-      {
-        --left[current];
-        ++left[piece];
-        current = piece;
-      }
-    }
-    count = left;
-  }
+  const MeshSmoother sourceBlend(source, BlendWidth * source.BoundingBoxDiagonal());
+  const double preference =
+    ConcavityPreference(source, EdgeConcavity(source, sourceBlend), pieces.PieceOfTriangle);
+  return EdgePrices(target, EdgeConcavity(target, blend), preference);
 }
 
 void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const SegmentPieces& pieces,
@@ -206,7 +110,7 @@ void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const Segme
     {
       if (pieces.LabelOfPiece[piece] == result.Labels[t])
       {
-        share += ShareOf(target, map, static_cast<int>(t), piece);
+        share += ShareOfTriangle(target.Mesh, map.Shares, static_cast<int>(t), piece);
       }
     }
     double certainty = 0.0;
@@ -219,17 +123,46 @@ void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const Segme
   }
 }
 
-void SetMissing(
-  const SegmentPieces& pieces, const std::vector<int>& pieceOfTriangle, TransferResult& result)
+void SetMissing(int numberOfPieces, const std::vector<int>& sourceLabels,
+  const std::vector<int>& pieceOfTriangle, TransferResult& result)
 {
   const std::set<int> present(pieceOfTriangle.begin(), pieceOfTriangle.end());
-  std::set<int> missing(pieces.LabelOfPiece.begin(), pieces.LabelOfPiece.end());
-  for (int piece : present)
+  std::set<int> missing(sourceLabels.begin(), sourceLabels.end());
+  for (const int label : result.Labels)
   {
-    missing.erase(pieces.LabelOfPiece[piece]);
+    missing.erase(label);
   }
   result.MissingLabels.assign(missing.begin(), missing.end());
-  result.NumberOfMissingPieces = pieces.NumberOfPieces() - static_cast<int>(present.size());
+  result.NumberOfMissingPieces = numberOfPieces - static_cast<int>(present.size());
+}
+
+/// The paper's way: the loops that enclose one matched branch, each carried by the frames of that
+/// branch.
+std::vector<CarriedLoop> CarryLoops(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, const SkeletonMap& map, const TransferParameters& parameters,
+  const std::vector<SegmentLoop>& loops, const std::vector<bool>& isTransferred,
+  const Progress& progress)
+{
+  std::vector<CarriedLoop> carried;
+  BoundaryTransfer transfer(
+    source, target, match, map, { parameters.Lambda, parameters.SearchRegion });
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if (!Report(progress, static_cast<double>(i) / loops.size()))
+    {
+      break;
+    }
+    const auto seat = isTransferred[loops[i].LeftPiece] && isTransferred[loops[i].RightPiece]
+      ? FindSeat(source, match, loops[i])
+      : std::nullopt;
+    auto cut = seat ? transfer.Transfer(loops[i], *seat, map.TargetRatio(seat->Chain, seat->Ratio))
+                    : std::nullopt;
+    if (cut)
+    {
+      carried.push_back({ static_cast<int>(i), std::move(*cut) });
+    }
+  }
+  return carried;
 }
 }
 
@@ -244,85 +177,57 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
   };
-  const SegmentPieces pieces = FindPieces(source.Mesh, labels);
+  SegmentPieces pieces = FindPieces(source.Mesh, labels);
   const std::vector<SegmentLoop> loops = FindLoops(source.Mesh, pieces);
+  result.Boundaries = PairsOfLoops(source, match, pieces, loops);
   SkeletonMap map(source, target, match);
   SetAlignments(source, target, match, parameters, map);
   const bool anyMatched = !match.IsEmpty();
   std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
   std::vector<bool> isMatched = map.MatchedSourceNodes();
   PlaceLeftovers(source, target, places, isMatched);
-  const std::vector<bool> isTransferred = TransferredPieces(source, pieces, isMatched, anyMatched);
+  std::vector<bool> isTransferred = TransferredPieces(source, pieces, isMatched, anyMatched);
   if (!watched(0.1))
   {
     return result;
   }
 
-  const GuidedMap guided = BuildGuidedMap(
-    source, target, places, anyMatched, pieces, isTransferred, SubProgress(watched, 0.1, 0.5));
-  if (!watched(0.5))
+  std::vector<std::vector<int>> excluded;
+  const int numberOfPieces = pieces.NumberOfPieces();
+  if (parameters.StrictBoundaries)
+  {
+    const std::vector<CarriedLoop> carried = CarryLoops(
+      source, target, match, map, parameters, loops, isTransferred, SubProgress(watched, 0.1, 0.4));
+    pieces = MergePieces(pieces, loops, carried);
+    isTransferred = TransferredPieces(source, pieces, isMatched, anyMatched);
+    excluded =
+      PiecesBeyondCurves(source.Mesh, pieces, loops, carried, target.Mesh.NumberOfTriangles());
+    for (const CarriedLoop& loop : carried)
+    {
+      result.Boundaries[loop.Loop].TargetPoints = loop.Cut.Curve.Points;
+    }
+  }
+  if (result.IsAborted)
   {
     return result;
   }
 
-  result.IsWholeAlignment = guided.IsWholeAlignment;
-
-  std::vector<LoopCut> cuts;
-  BoundaryTransfer transfer(
-    source, target, match, map, { parameters.Lambda, parameters.SearchRegion });
-  for (std::size_t i = 0; i < loops.size(); ++i)
+  const MeshSmoother blend(target.Mesh, BlendWidth * target.Diagonal());
+  const GuidedMap guided = BuildGuidedMap(source, target, places, anyMatched, pieces, isTransferred,
+    blend, SubProgress(watched, 0.4, 0.7));
+  if (!watched(0.7))
   {
-    if (!watched(0.5 + 0.2 * i / loops.size()))
-    {
-      return result;
-    }
-    if (!isTransferred[loops[i].LeftPiece] || !isTransferred[loops[i].RightPiece])
-    {
-      continue;
-    }
-    const auto seat = transfer.FindSeat(loops[i]);
-    if (!seat)
-    {
-      continue;
-    }
-    // Of the two ways to bring the loop over, the one that agrees better with the map; if neither
-    // does, the map alone decides.
-    constexpr double mostDisagreement = 0.3;
-    double least = mostDisagreement;
-    std::optional<BoundaryTransfer::Cut> best;
-    const auto consider = [&](std::optional<BoundaryTransfer::Cut> cut)
-    {
-      const double disagreement =
-        cut ? Disagreement(source, target, loops[i], *cut, pieces, guided) : 1.0;
-      if (disagreement < least)
-      {
-        least = disagreement;
-        best = std::move(cut);
-      }
-    };
-    consider(transfer.TransferByFrame(loops[i], *seat, map.TargetRatio(seat->Chain, seat->Ratio)));
-    consider(transfer.TransferByMap(loops[i], *seat, guided.Positions, guided.FoundPoints));
-    if (best)
-    {
-      cuts.push_back({ static_cast<int>(i), std::move(*best) });
-    }
+    return result;
   }
-  const RegionMatch regions =
-    MatchRegions(source.Mesh, target.Mesh, loops, TipsOfMatchedLimbs(source, target, match), cuts);
-  const AllowedPieces allowed =
-    PiecesOfRegions(pieces, regions, isTransferred, parameters.StrictBoundaries);
-  std::vector<int> pieceOfTriangle = LabelInterior(
-    target, guided, regions.RegionOfTriangle, allowed, SubProgress(watched, 0.7, 0.9));
+  result.IsWholeAlignment = guided.IsWholeAlignment;
+  std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, guided.Shares,
+    PricesLikeSource(source.Mesh, pieces, target.Mesh, blend), excluded,
+    SubProgress(watched, 0.7, 0.9));
   if (!watched(0.9))
   {
     return result;
   }
   KeepLargestComponents(target.Mesh, pieceOfTriangle);
-  if (!parameters.StrictBoundaries)
-  {
-    RestoreLostPieces(target, guided, isTransferred, pieceOfTriangle);
-    KeepLargestComponents(target.Mesh, pieceOfTriangle);
-  }
 
   result.Labels.reserve(pieceOfTriangle.size());
   for (int piece : pieceOfTriangle)
@@ -330,8 +235,11 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.Labels.push_back(pieces.LabelOfPiece[piece]);
   }
   SetConfidence(target, guided, pieces, correspondenceConfidence, result);
-  SetMissing(pieces, pieceOfTriangle, result);
-  result.Boundaries = PairBoundaries(source, target, pieces, loops, cuts, guided, pieceOfTriangle);
+  SetMissing(numberOfPieces, labels, pieceOfTriangle, result);
+  if (!parameters.StrictBoundaries)
+  {
+    FindTargetBoundaries(target, loops, guided, pieceOfTriangle, result.Boundaries);
+  }
   watched(1.0);
   return result;
 }

@@ -19,7 +19,7 @@ struct TransferParameters
   double Kernel = 0.05;          ///< K, smoothing of profiles, of the chain's length
   double Lambda = 0.1;           ///< λ, tolerance of dihedral angles, radians
   double SearchRegion = 0.02;    ///< of the snake, of the longest geodesic distance
-  bool StrictBoundaries = false; ///< only boundaries that enclose one branch are transferred
+  bool StrictBoundaries = false; ///< the paper's way: boundaries round one branch, and no others
 };
 
 /// A boundary of the source and, if it was transferred, of the target.
@@ -29,7 +29,7 @@ struct BoundaryPair
   int RightLabel = 0;
   std::vector<Eigen::Vector3d> SourcePoints; ///< in order, not closed by a repeated point
   std::vector<Eigen::Vector3d> TargetPoints; ///< the corresponding ones; empty if not transferred
-  bool IsStrict = false;                     ///< placed by its branch, not by the guided map
+  bool EnclosesBranch = false;               ///< exactly one, and that is matched
 };
 
 /// A segmentation carried over.
