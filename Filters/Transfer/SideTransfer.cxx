@@ -17,6 +17,32 @@ CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
   return { side.BranchOrder, { side.BranchReversed.begin(), side.BranchReversed.end() } };
 }
 
+std::vector<Answer> AnswersOf(
+  const Skeleton& source, const Skeleton& target, const SkeletonMatching& matching)
+{
+  std::vector<Answer> answers;
+  for (const SkeletonMatch& leaf : matching.Leaves)
+  {
+    if (answers.size() == MostAnswers)
+    {
+      break;
+    }
+    const CorrespondenceIds ids{ leaf.Source.NodeId, leaf.Target.NodeId, leaf.Source.BranchId,
+      leaf.Target.BranchId, OrderOf(leaf.Source), OrderOf(leaf.Target) };
+    answers.push_back({ JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence });
+  }
+  return answers;
+}
+
+/// The answer that the skeletons bring with them, which both meshes belong to as wholes.
+Partner PartnerOf(const GivenCorrespondence& source, const GivenCorrespondence& target,
+  const Skeleton& sourceSkeleton, const Skeleton& targetSkeleton)
+{
+  const CorrespondenceIds ids{ source.Nodes, target.Nodes, source.Branches, target.Branches,
+    source.Order, target.Order };
+  return { 0, { { JoinChains(sourceSkeleton, targetSkeleton, ids), 0.0, source.Confidence } } };
+}
+
 void MoveBoundaries(std::vector<BoundaryPair> pairs, const Body& source, const Body& target,
   SideTransferResult& result)
 {
@@ -56,10 +82,7 @@ Partner FindPartner(
     if (cost < least)
     {
       least = cost;
-      best = { b,
-        { match.Source.NodeId, match.Target.NodeId, match.Source.BranchId, match.Target.BranchId,
-          OrderOf(match.Source), OrderOf(match.Target) },
-        match.Confidence };
+      best = { b, AnswersOf(source.Bodies[b].Skeleton, target.Skeleton, matching) };
     }
   }
   return best;
@@ -71,7 +94,6 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
   const Progress& progress)
 {
   constexpr double afterMatching = 0.2;
-  constexpr double mostConfidenceUnmatched = 0.2;
   SideTransferResult result;
   const WorkingSurface& working = target.Surface.Working;
   std::vector<int> labels(working.Mesh.Triangles.size(), 0);
@@ -81,21 +103,15 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
   {
     const Progress ofBody = SubProgress(progress, b / size, (b + 1) / size);
     const Partner partner = givenSource.IsKnown() && givenTarget.IsKnown()
-      ? Partner{ 0,
-          { givenSource.Nodes, givenTarget.Nodes, givenSource.Branches, givenTarget.Branches,
-            givenSource.Order, givenTarget.Order },
-          givenSource.Confidence }
+      ? PartnerOf(
+          givenSource, givenTarget, source.Bodies.front().Skeleton, target.Bodies[b].Skeleton)
       : FindPartner(source, target.Bodies[b], SubProgress(ofBody, 0.0, afterMatching));
     if (!Report(ofBody, afterMatching))
     {
       return result;
     }
-    const AnalyzedMesh& sourceBody = source.Bodies[partner.SourceBody];
-    const MatchedSkeletons match =
-      JoinChains(sourceBody.Skeleton, target.Bodies[b].Skeleton, partner.Ids);
-    TransferResult ofOne = TransferSegmentation(sourceBody, target.Bodies[b], match,
-      match.IsEmpty() ? std::min(partner.Confidence, mostConfidenceUnmatched) : partner.Confidence,
-      labelsOfSourceBodies[partner.SourceBody], parameters,
+    TransferResult ofOne = TransferSegmentation(source.Bodies[partner.SourceBody],
+      target.Bodies[b], partner.Answers, labelsOfSourceBodies[partner.SourceBody], parameters,
       SubProgress(ofBody, afterMatching, 1.0));
     if (ofOne.IsAborted)
     {
@@ -110,7 +126,8 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.MissingLabels.insert(ofOne.MissingLabels.begin(), ofOne.MissingLabels.end());
     result.NumberOfMissingPieces =
       std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
-    result.IsMatched = result.IsMatched && !match.IsEmpty();
+    result.IsMatched =
+      result.IsMatched && !partner.Answers[ofOne.Answer].Match.IsEmpty();
     result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);

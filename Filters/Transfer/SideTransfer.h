@@ -10,12 +10,11 @@
 
 namespace marrow
 {
-/// Which body of the source a body of the target takes its segments from, and how they match.
+/// Which body of the source a body of the target takes its segments from, and how they may match.
 struct Partner
 {
   std::size_t SourceBody = 0;
-  CorrespondenceIds Ids;
-  double Confidence = 0.0;
+  std::vector<Answer> Answers; ///< the cheapest first
 };
 
 /// The body of the source that matches `target` at the least cost. What `progress` stops is left unfinished.

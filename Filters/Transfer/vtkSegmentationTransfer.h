@@ -53,8 +53,12 @@
  * mesh is the same, so that one filter carries a source to many targets without doing it again.
  * Read from the skeletons: CorrespondenceId (points) and BranchCorrespondenceId (cells) and, if
  * there, BranchCorrespondenceOrder and BranchCorrespondenceReversed (cells); the field array
- * CorrespondenceConfidence (double in [0,1], 1 if absent). If either skeleton lacks the first two, they are
- * found with the defaults of vtkSkeletonCorrespondence.
+ * CorrespondenceConfidence (double in [0,1], 1 if absent). If either skeleton lacks the first two,
+ * the skeletons are matched as by vtkSkeletonCorrespondence with its defaults, and of its best ten
+ * leaves the surfaces choose: each is carried out coarsely, by a dense correspondence of some 1000
+ * points, and that one is taken for which the sum of three is least: GlobalCost (1 where nothing is
+ * matched), the mean difference of log MSP between corresponding points (sizes aside), and how
+ * unevenly the source is hit (the area by which patches of equal size are hit too often).
  *
  * Ports out:
  * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays

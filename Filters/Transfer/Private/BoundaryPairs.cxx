@@ -124,9 +124,14 @@ std::vector<BoundaryPair> PairsOfLoops(const AnalyzedMesh& source, const Matched
 }
 
 void FindTargetBoundaries(const AnalyzedMesh& target, const std::vector<SegmentLoop>& loops,
-  const GuidedMap& map, const std::vector<int>& pieceOfTargetTriangle,
+  const DenseMap& map, const std::vector<int>& pieceOfTargetTriangle,
   std::vector<BoundaryPair>& pairs)
 {
+  std::vector<Eigen::Vector3d> carried;
+  for (const SourceSearch::Query& place : map.Places)
+  {
+    carried.push_back(place.Position);
+  }
   // The target's pieces are labelled with the source's, so a loop there says which two it parts.
   const SegmentPieces targetPieces = FindPieces(target.Mesh, pieceOfTargetTriangle);
   const std::vector<SegmentLoop> targetLoops = FindLoops(target.Mesh, targetPieces);
@@ -148,7 +153,7 @@ void FindTargetBoundaries(const AnalyzedMesh& target, const std::vector<SegmentL
         continue;
       }
       const double distance =
-        (Mean(Gather(map.Positions, targetLoops[j].Vertices(target.Mesh))) - center).norm();
+        (Mean(Gather(carried, targetLoops[j].Vertices(target.Mesh))) - center).norm();
       if (distance < least)
       {
         least = distance;
@@ -167,7 +172,7 @@ void FindTargetBoundaries(const AnalyzedMesh& target, const std::vector<SegmentL
       std::reverse(vertices.begin(), vertices.end());
     }
     pairs[i].TargetPoints = Correspond(
-      pairs[i].SourcePoints, Gather(target.Mesh.Points, vertices), Gather(map.Positions, vertices));
+      pairs[i].SourcePoints, Gather(target.Mesh.Points, vertices), Gather(carried, vertices));
   }
 }
 }

@@ -3,7 +3,7 @@
 #define marrow_BoundaryPairs_h
 
 #include "AnalyzedMesh.h"
-#include "GuidedMap.h"
+#include "DenseMap.h"
 #include "MatchedSkeletons.h"
 #include "SegmentLoops.h"
 #include "SegmentationTransfer.h"
@@ -20,7 +20,7 @@ std::vector<BoundaryPair> PairsOfLoops(const AnalyzedMesh& source, const Matched
 /// the one that the dense map brings nearest. Corresponding points sit at equal fractions of the
 /// length, from the start that fits best.
 void FindTargetBoundaries(const AnalyzedMesh& target, const std::vector<SegmentLoop>& loops,
-  const GuidedMap& map, const std::vector<int>& pieceOfTargetTriangle,
+  const DenseMap& map, const std::vector<int>& pieceOfTargetTriangle,
   std::vector<BoundaryPair>& pairs);
 }
 

@@ -3,16 +3,17 @@
 
 #include "BoundaryPairs.h"
 #include "BoundaryTransfer.h"
+#include "DenseMap.h"
 #include "EdgePrices.h"
 #include "FaceLabels.h"
 #include "GhostBoundary.h"
-#include "GuidedMap.h"
 #include "LabelCleanUp.h"
 #include "LeftoverPlaces.h"
 #include "MeshSmoother.h"
 #include "SegmentLoops.h"
 #include "SkeletonMap.h"
 #include "StrictBoundaries.h"
+#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <map>
@@ -97,11 +98,13 @@ std::vector<double> PricesLikeSource(const TriangleMesh& source, const SegmentPi
   return EdgePrices(target, EdgeConcavity(target, blend), preference);
 }
 
-void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const SegmentPieces& pieces,
-  double correspondenceConfidence, TransferResult& result)
+void SetConfidence(const AnalyzedMesh& target, const DenseMap& map, const Eigen::MatrixXd& shares,
+  const SegmentPieces& pieces, const Answer& answer, TransferResult& result)
 {
-  // An alignment as wholes knows nothing of parts.
-  const double trust = correspondenceConfidence * (map.IsWholeAlignment ? 0.5 : 1.0);
+  // Where nothing is matched there is little to trust; an alignment as wholes knows nothing of parts.
+  const double trust =
+    (answer.Match.IsEmpty() ? std::min(answer.Confidence, 0.2) : answer.Confidence) *
+    (map.IsWholeAlignment ? 0.5 : 1.0);
   result.Confidence.resize(result.Labels.size());
   for (std::size_t t = 0; t < result.Labels.size(); ++t)
   {
@@ -110,7 +113,7 @@ void SetConfidence(const AnalyzedMesh& target, const GuidedMap& map, const Segme
     {
       if (pieces.LabelOfPiece[piece] == result.Labels[t])
       {
-        share += ShareOfTriangle(target.Mesh, map.Shares, static_cast<int>(t), piece);
+        share += ShareOfTriangle(target.Mesh, shares, static_cast<int>(t), piece);
       }
     }
     double certainty = 0.0;
@@ -167,7 +170,7 @@ std::vector<CarriedLoop> CarryLoops(const AnalyzedMesh& source, const AnalyzedMe
 }
 
 TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const MatchedSkeletons& match, double correspondenceConfidence, const std::vector<int>& labels,
+  const std::vector<Answer>& answers, const std::vector<int>& labels,
   const TransferParameters& parameters, const Progress& progress)
 {
   TransferResult result;
@@ -177,17 +180,24 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
   };
+  const Eigen::Matrix<double, 3, 4> whole = AlignWhole(source.Mesh, target.Mesh);
+  result.Answer = ChooseAnswer(source, target, answers, whole, SubProgress(watched, 0.0, 0.3));
+  if (result.IsAborted)
+  {
+    return result;
+  }
+  const MatchedSkeletons& match = answers[result.Answer].Match;
   SegmentPieces pieces = FindPieces(source.Mesh, labels);
   const std::vector<SegmentLoop> loops = FindLoops(source.Mesh, pieces);
   result.Boundaries = PairsOfLoops(source, match, pieces, loops);
-  SkeletonMap map(source, target, match);
-  SetAlignments(source, target, match, parameters, map);
+  SkeletonMap skeletonMap(source, target, match);
+  SetAlignments(source, target, match, parameters, skeletonMap);
   const bool anyMatched = !match.IsEmpty();
-  std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
-  std::vector<bool> isMatched = map.MatchedSourceNodes();
+  std::vector<SkeletonMap::Place> places = skeletonMap.PlacesOfTargetNodes();
+  std::vector<bool> isMatched = skeletonMap.MatchedSourceNodes();
   PlaceLeftovers(source, target, places, isMatched);
   std::vector<bool> isTransferred = TransferredPieces(source, pieces, isMatched, anyMatched);
-  if (!watched(0.1))
+  if (!watched(0.35))
   {
     return result;
   }
@@ -196,8 +206,8 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const int numberOfPieces = pieces.NumberOfPieces();
   if (parameters.StrictBoundaries)
   {
-    const std::vector<CarriedLoop> carried = CarryLoops(
-      source, target, match, map, parameters, loops, isTransferred, SubProgress(watched, 0.1, 0.4));
+    const std::vector<CarriedLoop> carried = CarryLoops(source, target, match, skeletonMap,
+      parameters, loops, isTransferred, SubProgress(watched, 0.35, 0.5));
     pieces = MergePieces(pieces, loops, carried);
     isTransferred = TransferredPieces(source, pieces, isMatched, anyMatched);
     excluded =
@@ -212,18 +222,25 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return result;
   }
 
-  const MeshSmoother blend(target.Mesh, BlendWidth * target.Diagonal());
-  const GuidedMap guided = BuildGuidedMap(source, target, places, anyMatched, pieces, isTransferred,
-    blend, SubProgress(watched, 0.4, 0.7));
-  if (!watched(0.7))
+  std::vector<bool> isFindable;
+  for (const int piece : pieces.PieceOfTriangle)
+  {
+    isFindable.push_back(isTransferred[piece]);
+  }
+  const DenseMapper mapper(source, target, isFindable, whole);
+  const DenseMap map = mapper.Map(places, anyMatched, SubProgress(watched, 0.5, 0.8));
+  if (!watched(0.8))
   {
     return result;
   }
-  result.IsWholeAlignment = guided.IsWholeAlignment;
-  std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, guided.Shares,
-    PricesLikeSource(source.Mesh, pieces, target.Mesh, blend), excluded,
-    SubProgress(watched, 0.7, 0.9));
-  if (!watched(0.9))
+  result.IsWholeAlignment = map.IsWholeAlignment;
+  const MeshSmoother blend(target.Mesh, BlendWidth * target.Diagonal());
+  const Eigen::MatrixXd shares =
+    blend.Smooth(mapper.Shares(map, pieces.PieceOfTriangle, pieces.NumberOfPieces()));
+  std::vector<int> pieceOfTriangle =
+    LabelFaces(target.Mesh, shares, PricesLikeSource(source.Mesh, pieces, target.Mesh, blend),
+      excluded, SubProgress(watched, 0.8, 0.95));
+  if (!watched(0.95))
   {
     return result;
   }
@@ -234,11 +251,11 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     result.Labels.push_back(pieces.LabelOfPiece[piece]);
   }
-  SetConfidence(target, guided, pieces, correspondenceConfidence, result);
+  SetConfidence(target, map, shares, pieces, answers[result.Answer], result);
   SetMissing(numberOfPieces, labels, pieceOfTriangle, result);
   if (!parameters.StrictBoundaries)
   {
-    FindTargetBoundaries(target, loops, guided, pieceOfTriangle, result.Boundaries);
+    FindTargetBoundaries(target, loops, map, pieceOfTriangle, result.Boundaries);
   }
   watched(1.0);
   return result;

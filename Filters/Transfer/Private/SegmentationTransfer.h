@@ -3,7 +3,7 @@
 #define marrow_SegmentationTransfer_h
 
 #include "AnalyzedMesh.h"
-#include "MatchedSkeletons.h"
+#include "AnswerChoice.h"
 #include "Progress.h"
 
 #include <Eigen/Core>
@@ -41,16 +41,17 @@ struct TransferResult
   std::vector<int> MissingLabels; ///< labels of the source that the target has not got, ascending
   int NumberOfMissingPieces = 0;  ///< pieces of the source without a place on the target
   bool IsWholeAlignment = false; ///< the skeletons were of no use, the meshes are aligned as wholes
+  std::size_t Answer = 0;        ///< which answer was taken
   bool IsAborted = false;
 };
 
 /// More connected pieces than this are noise, not segments; time and memory grow with their number.
 inline constexpr int MostPieces = 500;
 
-/// Carries the labels of the source's triangles to the target's (T:4, with the guided map for what
-/// the paper leaves out). `correspondenceConfidence` is how far `match` can be trusted, in [0,1].
+/// Carries the labels of the source's triangles to the target's, by the one of `answers` (at least
+/// one, the cheapest first) that the surfaces support best.
 TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const MatchedSkeletons& match, double correspondenceConfidence, const std::vector<int>& labels,
+  const std::vector<Answer>& answers, const std::vector<int>& labels,
   const TransferParameters& parameters, const Progress& progress);
 }
 

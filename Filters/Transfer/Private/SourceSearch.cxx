@@ -13,9 +13,7 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 }
 
-SourceSearch::SourceSearch(
-  const AnalyzedMesh& source, const SegmentPieces& pieces, const std::vector<bool>& isTransferred)
-  : Pieces(pieces)
+SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& isFindable)
 {
   this->ComputeNodeDistances(source.Skeleton);
   const TriangleMesh& mesh = source.Mesh;
@@ -30,7 +28,7 @@ SourceSearch::SourceSearch(
     const Eigen::Vector3d area = mesh.AreaVector(t);
     this->Normals[t] = area.norm() > 0.0 ? Eigen::Vector3d(area.normalized()) : area;
     this->NodeOfTriangle[t] = source.NodeOfVertex[mesh.Triangles[t][0]];
-    if (isTransferred[pieces.PieceOfTriangle[t]])
+    if (isFindable.empty() || isFindable[t])
     {
       const Eigen::Vector3d& c = this->Centroids[t];
       values.emplace_back(Point(c.x(), c.y(), c.z()), t);
@@ -75,7 +73,7 @@ void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
   }
 }
 
-SourceSearch::Answer SourceSearch::Find(const Query& query) const
+std::vector<std::pair<double, int>> SourceSearch::Rank(const Query& query) const
 {
   namespace index = boost::geometry::index;
   constexpr unsigned numberOfCandidates = 16;
@@ -97,7 +95,6 @@ SourceSearch::Answer SourceSearch::Find(const Query& query) const
   {
     this->Index.query(index::nearest(point, numberOfCandidates), std::back_inserter(found));
   }
-  Answer answer;
   std::vector<std::pair<double, int>> costs;
   for (const Value& value : found)
   {
@@ -109,36 +106,31 @@ SourceSearch::Answer SourceSearch::Find(const Query& query) const
         0.5 * query.Radius * query.Radius * (1.0 - this->Normals[t].dot(query.Normal)),
       t);
   }
-  if (costs.empty())
-  {
-    return answer;
-  }
   std::sort(costs.begin(), costs.end());
-  answer.Triangle = costs.front().second;
-  answer.Position = this->Centroids[answer.Triangle];
-  answer.Normal = this->Normals[answer.Triangle];
+  return costs;
+}
+
+int SourceSearch::Find(const Query& query) const
+{
+  const auto costs = this->Rank(query);
+  return costs.empty() ? -1 : costs.front().second;
+}
+
+std::vector<std::pair<int, double>> SourceSearch::FindSeveral(const Query& query) const
+{
+  const auto costs = this->Rank(query);
   const double width = std::max(0.1 * query.Radius, 1e-300);
+  std::vector<std::pair<int, double>> found;
   double total = 0.0;
   for (const auto& [cost, t] : costs)
   {
-    const double weight = std::exp(-(cost - costs.front().first) / (width * width));
-    const int piece = this->Pieces.PieceOfTriangle[t];
-    const auto known = std::find_if(answer.Shares.begin(), answer.Shares.end(),
-      [&](const auto& entry) { return entry.first == piece; });
-    if (known == answer.Shares.end())
-    {
-      answer.Shares.emplace_back(piece, weight);
-    }
-    else
-    {
-      known->second += weight;
-    }
-    total += weight;
+    found.emplace_back(t, std::exp(-(cost - costs.front().first) / (width * width)));
+    total += found.back().second;
   }
-  for (auto& entry : answer.Shares)
+  for (auto& entry : found)
   {
     entry.second /= total;
   }
-  return answer;
+  return found;
 }
 }

@@ -3,7 +3,6 @@
 #define marrow_SourceSearch_h
 
 #include "AnalyzedMesh.h"
-#include "SegmentLoops.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -19,9 +18,8 @@ namespace marrow
 class SourceSearch
 {
 public:
-  /// Triangles of pieces with `isTransferred` false are not there to be found.
-  SourceSearch(const AnalyzedMesh& source, const SegmentPieces& pieces,
-    const std::vector<bool>& isTransferred);
+  /// Triangles with `isFindable` false are not there to be found; empty: all are.
+  SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& isFindable);
 
   struct Query
   {
@@ -30,14 +28,14 @@ public:
     int Node = -1;       ///< of the source's skeleton; -1 does not care
     double Radius = 0.0; ///< the scale by which normals and nodes are weighed against distance
   };
-  struct Answer
-  {
-    int Triangle = -1;
-    Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< its centroid
-    Eigen::Vector3d Normal = Eigen::Vector3d::Zero();
-    std::vector<std::pair<int, double>> Shares; ///< of the pieces round it, sum 1
-  };
-  Answer Find(const Query& query) const;
+  /// The best triangle; -1 if there is none.
+  int Find(const Query& query) const;
+  /// The best triangles, the first first, with weights that sum to 1 and fall with what they are
+  /// worse.
+  std::vector<std::pair<int, double>> FindSeveral(const Query& query) const;
+
+  const Eigen::Vector3d& Centroid(int triangle) const { return this->Centroids[triangle]; }
+  const Eigen::Vector3d& Normal(int triangle) const { return this->Normals[triangle]; }
 
 private:
   using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
@@ -50,8 +48,9 @@ private:
   {
     return this->NodeDistances[a * this->NumberOfNodes + b];
   }
+  /// Candidates near the query with their costs, cheapest first.
+  std::vector<std::pair<double, int>> Rank(const Query& query) const;
 
-  const SegmentPieces& Pieces;
   int NumberOfNodes = 0;
   std::vector<double> NodeDistances;
   std::vector<Eigen::Vector3d> Centroids;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GuidedMap.h"
+#include "DenseMap.h"
 
 #include "ParallelFor.h"
-#include "SourceSearch.h"
-#include "WholeAlignment.h"
 
 #include <Eigen/Geometry>
 
@@ -101,116 +99,118 @@ std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
   return queries;
 }
 
-void FindAll(const SourceSearch& search, const std::vector<SourceSearch::Query>& queries,
-  std::vector<SourceSearch::Answer>& answers)
+}
+
+DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const std::vector<bool>& isFindable, const Eigen::Matrix<double, 3, 4>& whole)
+  : Source(source)
+  , Target(target)
+  , Whole(whole)
+  , Search(source, isFindable)
+  , Smoother(target.Mesh, 0.5 * MeanRadius(target))
+  , Areas(target.Mesh.VertexAreas())
+  , WholeQueries(QueriesAsWhole(target.Mesh, whole, 0.05 * source.Diagonal()))
 {
-  answers.resize(queries.size());
+  this->WholeFound = this->FindAll(this->WholeQueries);
+  this->WholeMisfit = this->Misfit(this->WholeQueries, this->WholeFound);
+}
+
+std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& queries) const
+{
+  std::vector<int> found(queries.size());
   ParallelFor(0, static_cast<int>(queries.size()),
     [&](int first, int last)
     {
       for (int v = first; v < last; ++v)
       {
-        answers[v] = search.Find(queries[v]);
+        found[v] = this->Search.Find(queries[v]);
       }
     });
+  return found;
 }
 
 /// How badly a map brings the surfaces together: the mean over the target of the squared distance, in
 /// twentieths of the source's diagonal, and of the deviation of normals, [0,1].
-double Misfit(const AnalyzedMesh& source, const std::vector<double>& areas,
-  const std::vector<SourceSearch::Query>& queries, const std::vector<SourceSearch::Answer>& answers)
+double DenseMapper::Misfit(
+  const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const
 {
-  const double scale = std::max(0.05 * source.Diagonal(), 1e-300);
+  const double scale = std::max(0.05 * this->Source.Diagonal(), 1e-300);
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t v = 0; v < queries.size(); ++v)
   {
-    const double squared = (answers[v].Position - queries[v].Position).squaredNorm();
-    sum += areas[v] *
-      std::min(
-        1.0, squared / (scale * scale) + 0.5 * (1.0 - answers[v].Normal.dot(queries[v].Normal)));
-    total += areas[v];
+    const double squared =
+      (this->Search.Centroid(found[v]) - queries[v].Position).squaredNorm() / (scale * scale);
+    const double turn = 1.0 - this->Search.Normal(found[v]).dot(queries[v].Normal);
+    sum += this->Areas[v] * std::min(1.0, squared + 0.5 * turn);
+    total += this->Areas[v];
   }
   return total > 0.0 ? sum / total : 1.0;
 }
-}
 
-GuidedMap BuildGuidedMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const SegmentPieces& pieces,
-  const std::vector<bool>& isTransferred, const MeshSmoother& blend, const Progress& progress)
+DenseMap DenseMapper::Map(
+  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const
 {
-  const TriangleMesh& mesh = target.Mesh;
-  const int numberOfVertices = mesh.NumberOfVertices();
-  GuidedMap result;
-  result.Positions.resize(numberOfVertices);
-  result.FoundPoints.resize(numberOfVertices);
-  result.Certainty.assign(numberOfVertices, 1.0);
-
-  const MeshSmoother smoother(mesh, 0.5 * MeanRadius(target));
-  const SourceSearch search(source, pieces, isTransferred);
-  const std::vector<double> areas = mesh.VertexAreas();
-  std::vector<SourceSearch::Answer> answers;
-  const Eigen::Matrix<double, 3, 4> whole = AlignWhole(source.Mesh, target.Mesh);
-  std::vector<SourceSearch::Query> queries = QueriesAsWhole(mesh, whole, 0.05 * source.Diagonal());
-  FindAll(search, queries, answers);
-  const double wholeMisfit = Misfit(source, areas, queries, answers);
-  if (!Report(progress, 0.2))
-  {
-    return result;
-  }
+  const int numberOfVertices = this->Target.Mesh.NumberOfVertices();
+  DenseMap map;
+  map.Places = this->WholeQueries;
+  map.FoundTriangles = this->WholeFound;
+  map.Certainty.assign(numberOfVertices, 1.0);
   if (anyMatched)
   {
     std::vector<double> certainty;
-    const std::vector<SourceSearch::Query> guided =
-      QueriesBySkeleton(source, target, places, whole, smoother, certainty);
-    std::vector<SourceSearch::Answer> found;
-    FindAll(search, guided, found);
+    std::vector<SourceSearch::Query> queries =
+      QueriesBySkeleton(this->Source, this->Target, places, this->Whole, this->Smoother, certainty);
+    std::vector<int> found = this->FindAll(queries);
     // A correspondence that is wrong brings the surfaces together no better than none.
     constexpr double goodEnough = 0.2;
     constexpr double clearlyBetter = 0.85;
-    if (Misfit(source, areas, guided, found) < std::max(goodEnough, clearlyBetter * wholeMisfit))
+    if (this->Misfit(queries, found) < std::max(goodEnough, clearlyBetter * this->WholeMisfit))
     {
-      queries = guided;
-      answers = std::move(found);
-      result.Certainty = std::move(certainty);
-      result.IsWholeAlignment = false;
+      map.Places = std::move(queries);
+      map.FoundTriangles = std::move(found);
+      map.Certainty = std::move(certainty);
+      map.IsWholeAlignment = false;
     }
-  }
-  if (!Report(progress, 0.5))
-  {
-    return result;
   }
   for (int round = 0; round < NumberOfCorrections; ++round)
   {
+    if (!Report(progress, (round + 1.0) / (NumberOfCorrections + 1.0)))
+    {
+      return map;
+    }
     Eigen::MatrixXd displacements(numberOfVertices, 3);
     for (int v = 0; v < numberOfVertices; ++v)
     {
-      displacements.row(v) =
-        result.Certainty[v] * (answers[v].Position - queries[v].Position).transpose();
+      const Eigen::Vector3d& found = this->Search.Centroid(map.FoundTriangles[v]);
+      displacements.row(v) = map.Certainty[v] * (found - map.Places[v].Position).transpose();
     }
-    displacements = smoother.Smooth(displacements);
+    displacements = this->Smoother.Smooth(displacements);
     for (int v = 0; v < numberOfVertices; ++v)
     {
-      queries[v].Position += displacements.row(v).transpose();
+      map.Places[v].Position += displacements.row(v).transpose();
     }
-    FindAll(search, queries, answers);
+    map.FoundTriangles = this->FindAll(map.Places);
   }
-  if (!Report(progress, 0.8))
-  {
-    return result;
-  }
+  return map;
+}
 
-  result.Shares = Eigen::MatrixXd::Zero(numberOfVertices, pieces.NumberOfPieces());
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    result.Positions[v] = queries[v].Position;
-    result.FoundPoints[v] = answers[v].Position;
-    for (const auto& [piece, share] : answers[v].Shares)
+Eigen::MatrixXd DenseMapper::Shares(
+  const DenseMap& map, const std::vector<int>& segmentOfTriangle, int numberOfSegments) const
+{
+  const int numberOfVertices = static_cast<int>(map.Places.size());
+  Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(numberOfVertices, numberOfSegments);
+  ParallelFor(0, numberOfVertices,
+    [&](int first, int last)
     {
-      result.Shares(v, piece) += share;
-    }
-  }
-  result.Shares = blend.Smooth(result.Shares);
-  return result;
+      for (int v = first; v < last; ++v)
+      {
+        for (const auto& [triangle, weight] : this->Search.FindSeveral(map.Places[v]))
+        {
+          shares(v, segmentOfTriangle[triangle]) += weight;
+        }
+      }
+    });
+  return shares;
 }
 }

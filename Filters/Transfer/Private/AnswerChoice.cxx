@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AnswerChoice.h"
+
+#include "CoarseMesh.h"
+#include "DenseMap.h"
+#include "LeftoverPlaces.h"
+#include "SkeletonMap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow
+{
+namespace
+{
+std::vector<SkeletonMap::Place> PlacesOf(
+  const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
+{
+  SkeletonMap map(source, target, match);
+  for (std::size_t c = 0; c < match.Chains.size(); ++c)
+  {
+    const ChainPair& chain = match.Chains[c];
+    map.SetAlignment(
+      static_cast<int>(c), AlignChains(source, chain.Source, target, chain.Target, {}));
+  }
+  std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
+  std::vector<bool> isMatched = map.MatchedSourceNodes();
+  PlaceLeftovers(source, target, places, isMatched);
+  return places;
+}
+
+Evidence Judge(
+  const CoarseMesh& source, const CoarseMesh& target, const Answer& answer, const DenseMap& map)
+{
+  Evidence evidence;
+  evidence.Cost = answer.Match.IsEmpty() ? 1.0 : answer.Cost;
+  std::vector<double> surplus(source.NumberOfPatches, 0.0);
+  for (std::size_t v = 0; v < source.Patches.size(); ++v)
+  {
+    surplus[source.Patches[v]] -= source.Shares[v];
+  }
+  const double least = 1e-9;
+  for (std::size_t v = 0; v < target.Shares.size(); ++v)
+  {
+    double there = 0.0;
+    for (const int corner : source.Side.Mesh.Triangles[map.FoundTriangles[v]])
+    {
+      there += source.Side.MSP[corner] / 3.0;
+      surplus[source.Patches[corner]] += target.Shares[v] / 3.0;
+    }
+    const double ratio =
+      std::max(target.Side.MSP[v] / target.Size, least) / std::max(there / source.Size, least);
+    evidence.Thickness += target.Shares[v] * std::min(std::abs(std::log(ratio)), 1.0);
+  }
+  for (const double value : surplus)
+  {
+    evidence.Cover += 0.5 * std::abs(value);
+  }
+  return evidence;
+}
+}
+
+std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const std::vector<Answer>& answers, const Eigen::Matrix<double, 3, 4>& whole,
+  const Progress& progress)
+{
+  if (answers.size() < 2)
+  {
+    return 0;
+  }
+  const CoarseMesh coarseSource = Coarsen(source);
+  const CoarseMesh coarseTarget = Coarsen(target);
+  if (coarseSource.Side.Mesh.Triangles.empty())
+  {
+    return 0;
+  }
+  const DenseMapper mapper(coarseSource.Side, coarseTarget.Side, {}, whole);
+  std::size_t best = 0;
+  double least = 0.0;
+  for (std::size_t i = 0; i < answers.size(); ++i)
+  {
+    if (!Report(progress, static_cast<double>(i) / answers.size()))
+    {
+      return best;
+    }
+    const MatchedSkeletons& match = answers[i].Match;
+    const DenseMap map =
+      mapper.Map(PlacesOf(coarseSource.Side, coarseTarget.Side, match), !match.IsEmpty(), {});
+    const double against = Judge(coarseSource, coarseTarget, answers[i], map).Sum();
+    if (i == 0 || against < least)
+    {
+      least = against;
+      best = i;
+    }
+  }
+  return best;
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_DenseMap_h
+#define marrow_DenseMap_h
+
+#include "AnalyzedMesh.h"
+#include "MeshSmoother.h"
+#include "Progress.h"
+#include "SkeletonMap.h"
+#include "SourceSearch.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace marrow
+{
+/// Where every vertex of the target lies on the source.
+struct DenseMap
+{
+  /// Per target vertex its place in the source's space, with which the surface there is searched.
+  std::vector<SourceSearch::Query> Places;
+  std::vector<int> FoundTriangles; ///< per target vertex the source's triangle there
+  std::vector<double> Certainty;   ///< per target vertex: 1 on matched branches, else less
+  bool IsWholeAlignment = true;    ///< the skeletons were of no use
+};
+
+/// Maps one target to one source, for one matching of their skeletons after the other.
+///
+/// Each target vertex is carried by the transformation of its node (SkeletonMap::Place), smoothed
+/// over the surface so that joints blend; there the nearest triangles of the source with a like
+/// normal and a near place on the skeleton are looked up. Displacements to what was found, smoothed,
+/// then correct the positions and the search is repeated, a few times: this compensates differences
+/// of shape that the skeleton does not capture (the depth of a chest).
+///
+/// The target is also aligned as a whole (AlignWhole). That is used instead if no chain is matched,
+/// or if the skeletons bring the surfaces together no better: then they are of no use, as for a bust
+/// or a machine part.
+class DenseMapper
+{
+public:
+  /// Triangles of the source with `isFindable` false are skipped: their place goes to their
+  /// neighbours; empty: none is. `whole` is AlignWhole's.
+  DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
+    const std::vector<bool>& isFindable, const Eigen::Matrix<double, 3, 4>& whole);
+
+  DenseMap Map(
+    const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const;
+
+  /// Target vertices x segments: how likely the vertex belongs to each segment of the source, by the
+  /// triangles that it finds. Rows sum to 1.
+  Eigen::MatrixXd Shares(
+    const DenseMap& map, const std::vector<int>& segmentOfTriangle, int numberOfSegments) const;
+
+private:
+  std::vector<int> FindAll(const std::vector<SourceSearch::Query>& queries) const;
+  double Misfit(
+    const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const;
+
+  const AnalyzedMesh& Source;
+  const AnalyzedMesh& Target;
+  Eigen::Matrix<double, 3, 4> Whole;
+  SourceSearch Search;
+  MeshSmoother Smoother;
+  std::vector<double> Areas; ///< per target vertex
+  std::vector<SourceSearch::Query> WholeQueries;
+  std::vector<int> WholeFound;
+  double WholeMisfit = 1.0;
+};
+}
+
+#endif
