@@ -78,7 +78,11 @@ TEST(AnswerChoice, TheSurfacesTellTheThickEndFromTheThin)
 TEST(AnswerChoice, NothingMatchedCostsMost)
 {
   const Tube tube = Horn(4.0);
-  const Answer nothing{ {}, 0.0, 0.0 };
+  MatchedSkeletons none = MatchEnds(tube, tube, false);
+  none.Chains.clear();
+  none.Ids.SourceNodes.assign(none.Ids.SourceNodes.size(), -1);
+  none.Ids.TargetNodes.assign(none.Ids.TargetNodes.size(), -1);
+  const Answer nothing{ none, 0.0, 0.0 };
   const Answer all{ MatchEnds(tube, tube, false), 0.5, 1.0 };
   EXPECT_EQ(Choose(tube, tube, { nothing, all }), 1u);
 }
