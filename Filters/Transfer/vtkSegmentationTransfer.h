@@ -57,7 +57,7 @@
  * the skeletons are matched as by vtkSkeletonCorrespondence with its defaults, and of its best ten
  * leaves the surfaces choose: each is carried out coarsely, by a dense correspondence of some 1000
  * points, and that one is taken for which the sum of three is least: GlobalCost (1 where nothing is
- * matched), the mean difference of log MSP between corresponding points (sizes aside), and how
+ * matched), the mean difference of log MSP between corresponding points (its median aside), and how
  * unevenly the source is hit (the area by which patches of equal size are hit too often).
  *
  * Ports out:

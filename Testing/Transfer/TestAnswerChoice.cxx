@@ -13,7 +13,7 @@ using namespace marrow::test;
 
 namespace
 {
-/// A tube three times as thick at its upper end, bent so that it has no symmetry of its own.
+/// A tube three times as thick at its upper end, bent.
 Tube Horn(double bendRadius)
 {
   TubeOptions options;
@@ -62,8 +62,8 @@ std::size_t Choose(const Tube& source, const Tube& target, const std::vector<Ans
 
 TEST(AnswerChoice, TheSurfacesTellTheThickEndFromTheThin)
 {
-  const Tube source = Horn(6.0);
-  const Tube target = Horn(3.0);
+  const Tube source = Horn(1000.0);
+  const Tube target = Horn(1.5);
   const Answer right{ MatchEnds(source, target, false), 0.3, 1.0 };
   const Answer wrong{ MatchEnds(source, target, true), 0.295, 1.0 };
   EXPECT_EQ(Choose(source, target, { wrong, right }), 1u);

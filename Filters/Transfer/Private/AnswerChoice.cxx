@@ -8,11 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace marrow
 {
 namespace
 {
+/// Smaller differences of the sum are noise of the coarse map: where only these speak for another
+/// answer, the skeletons decide.
+constexpr double Margin = 0.02;
+
 std::vector<SkeletonMap::Place> PlacesOf(
   const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
 {
@@ -29,6 +34,27 @@ std::vector<SkeletonMap::Place> PlacesOf(
   return places;
 }
 
+/// The value below and above which half of the weights lie.
+double WeightedMedian(std::vector<std::pair<double, double>> values)
+{
+  std::sort(values.begin(), values.end());
+  double total = 0.0;
+  for (const auto& entry : values)
+  {
+    total += entry.second;
+  }
+  double below = 0.0;
+  for (const auto& [value, weight] : values)
+  {
+    below += weight;
+    if (2.0 * below >= total)
+    {
+      return value;
+    }
+  }
+  return 0.0;
+}
+
 Evidence Judge(
   const CoarseMesh& source, const CoarseMesh& target, const Answer& answer, const DenseMap& map)
 {
@@ -39,7 +65,9 @@ Evidence Judge(
   {
     surplus[source.Patches[v]] -= source.Shares[v];
   }
-  const double least = 1e-9;
+  constexpr double least = 1e-9;
+  std::vector<std::pair<double, double>>
+    ratios; // log of MSP here over MSP there, share of the area
   for (std::size_t v = 0; v < target.Shares.size(); ++v)
   {
     double there = 0.0;
@@ -48,9 +76,14 @@ Evidence Judge(
       there += source.Side.MSP[corner] / 3.0;
       surplus[source.Patches[corner]] += target.Shares[v] / 3.0;
     }
-    const double ratio =
-      std::max(target.Side.MSP[v] / target.Size, least) / std::max(there / source.Size, least);
-    evidence.Thickness += target.Shares[v] * std::min(std::abs(std::log(ratio)), 1.0);
+    ratios.emplace_back(std::log(std::max(target.Side.MSP[v] / target.Size, least) /
+                          std::max(there / source.Size, least)),
+      target.Shares[v]);
+  }
+  const double usual = WeightedMedian(ratios);
+  for (const auto& [ratio, share] : ratios)
+  {
+    evidence.Thickness += share * std::min(std::abs(ratio - usual), 1.0);
   }
   for (const double value : surplus)
   {
@@ -87,7 +120,7 @@ std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
     const DenseMap map =
       mapper.Map(PlacesOf(coarseSource.Side, coarseTarget.Side, match), !match.IsEmpty(), {});
     const double against = Judge(coarseSource, coarseTarget, answers[i], map).Sum();
-    if (i == 0 || against < least)
+    if (i == 0 || against < least - (best == 0 ? Margin : 0.0))
     {
       least = against;
       best = i;

@@ -176,7 +176,12 @@ Result MeasurePair(const PreparedCategory& category, int source, int target, Mat
     }
     if (transfer)
     {
-      MeasureTransfer(sourceMesh, targetMesh, sourceSkeleton, targetSkeleton, segments, result);
+      // By default the transfer matches by itself: the surfaces choose among several answers, which
+      // need not be the one measured above.
+      const bool matched = matcher == MatcherKind::Electors;
+      MeasureTransfer(sourceMesh, targetMesh,
+        matched ? sourceSkeleton : Copy(sourceMesh.Skeleton).Get(),
+        matched ? targetSkeleton : Copy(targetMesh.Skeleton).Get(), segments, result);
     }
   }
   catch (const std::exception& error)
