@@ -18,6 +18,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSegmentationTransfer.h>
+#include <vtkSkeletonCorrespondence.h>
 #include <vtkSphereSource.h>
 
 #include <algorithm>
@@ -158,8 +159,8 @@ Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
   const marrow::Partner partner = marrow::FindPartner(sourceSide, targetSide.Bodies.front(), {});
   matched.SourceMesh = InOwnFrame(source, sourceSide);
   matched.TargetMesh = InOwnFrame(target, targetSide);
-  matched.Match =
-    marrow::JoinChains(matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton, partner.Ids);
+  matched.Match = marrow::JoinChains(matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton,
+    partner.Answers.front().Match.Ids);
   return matched;
 }
 

@@ -27,7 +27,7 @@ namespace
 struct LegLoop
 {
   marrow::SegmentLoop Loop;
-  marrow::BoundaryTransfer::Seat Seat;
+  marrow::Seat Seat;
 };
 
 std::vector<int> LabelsOf(vtkPolyData* mesh)
@@ -56,13 +56,13 @@ marrow::SkeletonMap AlignedMap(const Matched& pair)
 }
 
 /// The boundary of the source's segment `label`.
-LegLoop FindLoop(const Matched& pair, marrow::BoundaryTransfer& transfer, int label)
+LegLoop FindLoop(const Matched& pair, int label)
 {
   const marrow::SegmentPieces pieces =
     marrow::FindPieces(pair.SourceMesh.Mesh, LabelsOf(pair.Source.Mesh));
   for (const marrow::SegmentLoop& loop : marrow::FindLoops(pair.SourceMesh.Mesh, pieces))
   {
-    const auto seat = transfer.FindSeat(loop);
+    const auto seat = marrow::FindSeat(pair.SourceMesh, pair.Match, loop);
     if (seat &&
       (pieces.LabelOfPiece[loop.LeftPiece] == label ||
         pieces.LabelOfPiece[loop.RightPiece] == label))
@@ -85,9 +85,8 @@ Carried Carry(const Matched& pair, int label, double lambda, double searchRegion
   const marrow::SkeletonMap map = AlignedMap(pair);
   marrow::BoundaryTransfer transfer(
     pair.SourceMesh, pair.TargetMesh, pair.Match, map, { lambda, searchRegion });
-  const LegLoop leg = FindLoop(pair, transfer, label);
-  auto cut =
-    transfer.TransferByFrame(leg.Loop, leg.Seat, map.TargetRatio(leg.Seat.Chain, leg.Seat.Ratio));
+  const LegLoop leg = FindLoop(pair, label);
+  auto cut = transfer.Transfer(leg.Loop, leg.Seat, map.TargetRatio(leg.Seat.Chain, leg.Seat.Ratio));
   if (!cut)
   {
     throw std::runtime_error("The boundary has no annulus on the target.");

@@ -77,8 +77,8 @@ struct GroovedTubes
   {
     marrow::BoundaryTransfer transfer(this->Source.Analyzed, this->Target.Analyzed, this->Match,
       this->Map, { lambda, searchRegion });
-    const auto seat = transfer.FindSeat(this->Loop);
-    const auto cut = seat ? transfer.TransferByFrame(this->Loop, *seat, seat->Ratio) : std::nullopt;
+    const auto seat = marrow::FindSeat(this->Source.Analyzed, this->Match, this->Loop);
+    const auto cut = seat ? transfer.Transfer(this->Loop, *seat, seat->Ratio) : std::nullopt;
     if (!cut)
     {
       throw std::runtime_error("The tube's boundary was not transferred.");

@@ -16,7 +16,7 @@ namespace
 {
 /// Smaller differences of the sum are noise of the coarse map: where only these speak for another
 /// answer, the skeletons decide.
-constexpr double Margin = 0.02;
+constexpr double Margin = 0.01;
 
 std::vector<SkeletonMap::Place> PlacesOf(
   const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
