@@ -5,6 +5,7 @@
 #include "DenseMap.h"
 #include "LeftoverPlaces.h"
 #include "SkeletonMap.h"
+#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ namespace marrow
 namespace
 {
 /// Smaller differences of the sum are noise of the coarse map: where only these speak for another
-/// answer, the skeletons decide.
-constexpr double Margin = 0.01;
+/// answer, the skeletons decide. Anything from 0.01 to 0.02 does.
+constexpr double Margin = 0.015;
 
 std::vector<SkeletonMap::Place> PlacesOf(
   const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
@@ -55,47 +56,83 @@ double WeightedMedian(std::vector<std::pair<double, double>> values)
   return 0.0;
 }
 
-Evidence Judge(
-  const CoarseMesh& source, const CoarseMesh& target, const Answer& answer, const DenseMap& map)
+MatchedSkeletons Reversed(const MatchedSkeletons& match)
 {
-  Evidence evidence;
-  evidence.Cost = answer.Match.IsEmpty() ? 1.0 : answer.Cost;
+  MatchedSkeletons reversed = match;
+  for (ChainPair& chain : reversed.Chains)
+  {
+    std::swap(chain.Source, chain.Target);
+  }
+  std::swap(reversed.Ids.SourceNodes, reversed.Ids.TargetNodes);
+  std::swap(reversed.Ids.SourceBranches, reversed.Ids.TargetBranches);
+  std::swap(reversed.Ids.SourceOrder, reversed.Ids.TargetOrder);
+  return reversed;
+}
+
+/// Adds half of what speaks against `map`, which carries `target` to `source`.
+void AddHalf(
+  const CoarseMesh& source, const CoarseMesh& target, const DenseMap& map, Evidence& evidence)
+{
+  const std::vector<Eigen::Vector3d> sourceNormals = source.Side.Mesh.VertexNormals();
   std::vector<double> surplus(source.NumberOfPatches, 0.0);
   for (std::size_t v = 0; v < source.Patches.size(); ++v)
   {
     surplus[source.Patches[v]] -= source.Shares[v];
   }
   constexpr double least = 1e-9;
-  std::vector<std::pair<double, double>>
-    ratios; // log of MSP here over MSP there, share of the area
+  // The log of MSP here over MSP there, with the share of the area.
+  std::vector<std::pair<double, double>> ratios;
   for (std::size_t v = 0; v < target.Shares.size(); ++v)
   {
     double there = 0.0;
+    double cosine = 0.0;
     for (const int corner : source.Side.Mesh.Triangles[map.FoundTriangles[v]])
     {
       there += source.Side.MSP[corner] / 3.0;
+      cosine += map.Places[v].Normal.dot(sourceNormals[corner]) / 3.0;
       surplus[source.Patches[corner]] += target.Shares[v] / 3.0;
     }
     ratios.emplace_back(std::log(std::max(target.Side.MSP[v] / target.Size, least) /
                           std::max(there / source.Size, least)),
       target.Shares[v]);
+    evidence.Turned += 0.5 * target.Shares[v] * (1.0 - cosine);
   }
   const double usual = WeightedMedian(ratios);
   for (const auto& [ratio, share] : ratios)
   {
-    evidence.Thickness += share * std::min(std::abs(ratio - usual), 1.0);
+    evidence.Thickness += 0.5 * share * std::min(std::abs(ratio - usual), 1.0);
   }
   for (const double value : surplus)
   {
-    evidence.Cover += 0.5 * std::abs(value);
+    evidence.Cover += 0.5 * 0.5 * std::abs(value);
   }
-  return evidence;
 }
+
+/// One of two coarse meshes that are mapped to each other.
+struct Direction
+{
+  const CoarseMesh& Source;
+  const CoarseMesh& Target;
+  DenseMapper Mapper;
+
+  Direction(const CoarseMesh& source, const CoarseMesh& target)
+    : Source(source)
+    , Target(target)
+    , Mapper(source.Side, target.Side, {}, AlignWhole(source.Side.Mesh, target.Side.Mesh))
+  {
+  }
+
+  void AddHalf(const MatchedSkeletons& match, Evidence& evidence) const
+  {
+    const DenseMap map =
+      this->Mapper.Map(PlacesOf(this->Source.Side, this->Target.Side, match), !match.IsEmpty(), {});
+    marrow::AddHalf(this->Source, this->Target, map, evidence);
+  }
+};
 }
 
 std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const std::vector<Answer>& answers, const Eigen::Matrix<double, 3, 4>& whole,
-  const Progress& progress)
+  const std::vector<Answer>& answers, const Progress& progress)
 {
   if (answers.size() < 2)
   {
@@ -103,11 +140,12 @@ std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
   }
   const CoarseMesh coarseSource = Coarsen(source);
   const CoarseMesh coarseTarget = Coarsen(target);
-  if (coarseSource.Side.Mesh.Triangles.empty())
+  if (coarseSource.Side.Mesh.Triangles.empty() || coarseTarget.Side.Mesh.Triangles.empty())
   {
     return 0;
   }
-  const DenseMapper mapper(coarseSource.Side, coarseTarget.Side, {}, whole);
+  const Direction there(coarseSource, coarseTarget);
+  const Direction back(coarseTarget, coarseSource);
   std::size_t best = 0;
   double least = 0.0;
   for (std::size_t i = 0; i < answers.size(); ++i)
@@ -117,9 +155,11 @@ std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
       return best;
     }
     const MatchedSkeletons& match = answers[i].Match;
-    const DenseMap map =
-      mapper.Map(PlacesOf(coarseSource.Side, coarseTarget.Side, match), !match.IsEmpty(), {});
-    const double against = Judge(coarseSource, coarseTarget, answers[i], map).Sum();
+    Evidence evidence;
+    evidence.Cost = match.IsEmpty() ? 1.0 : answers[i].Cost;
+    there.AddHalf(match, evidence);
+    back.AddHalf(Reversed(match), evidence);
+    const double against = evidence.Sum();
     if (i == 0 || against < least - (best == 0 ? Margin : 0.0))
     {
       least = against;

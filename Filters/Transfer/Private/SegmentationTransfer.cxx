@@ -25,8 +25,16 @@ namespace marrow
 namespace
 {
 /// The width over which segments blend at their boundaries and concavity is measured, of the
-/// diagonal; any from 0.005 to 0.02 does.
-constexpr double BlendWidth = 0.01;
+/// diagonal: as far as the map may be wrong along the surface, so that between equal shapes boundaries
+/// stay as they are, and between different ones the target's own shape decides where they run.
+/// Anything from 1 to 2 times the standoff does.
+double BlendWidth(const DenseMap& map)
+{
+  constexpr double perStandoff = 1.5;
+  constexpr double least = 1e-4;
+  constexpr double most = 0.03;
+  return std::clamp(perStandoff * map.Standoff, least, most);
+}
 
 void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const MatchedSkeletons& match, const TransferParameters& parameters, SkeletonMap& map)
@@ -90,9 +98,9 @@ std::vector<bool> TransferredPieces(const AnalyzedMesh& source, const SegmentPie
 
 /// Edges of the target are as cheap where concave as the source's own boundaries keep to concavities.
 std::vector<double> PricesLikeSource(const TriangleMesh& source, const SegmentPieces& pieces,
-  const TriangleMesh& target, const MeshSmoother& blend)
+  const TriangleMesh& target, const MeshSmoother& blend, double width)
 {
-  const MeshSmoother sourceBlend(source, BlendWidth * source.BoundingBoxDiagonal());
+  const MeshSmoother sourceBlend(source, width * source.BoundingBoxDiagonal());
   const double preference =
     ConcavityPreference(source, EdgeConcavity(source, sourceBlend), pieces.PieceOfTriangle);
   return EdgePrices(target, EdgeConcavity(target, blend), preference);
@@ -181,7 +189,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return !result.IsAborted;
   };
   const Eigen::Matrix<double, 3, 4> whole = AlignWhole(source.Mesh, target.Mesh);
-  result.Answer = ChooseAnswer(source, target, answers, whole, SubProgress(watched, 0.0, 0.3));
+  result.Answer = ChooseAnswer(source, target, answers, SubProgress(watched, 0.0, 0.3));
   if (result.IsAborted)
   {
     return result;
@@ -234,12 +242,13 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
-  const MeshSmoother blend(target.Mesh, BlendWidth * target.Diagonal());
+  const double width = BlendWidth(map);
+  const MeshSmoother blend(target.Mesh, width * target.Diagonal());
   const Eigen::MatrixXd shares =
     blend.Smooth(mapper.Shares(map, pieces.PieceOfTriangle, pieces.NumberOfPieces()));
-  std::vector<int> pieceOfTriangle =
-    LabelFaces(target.Mesh, shares, PricesLikeSource(source.Mesh, pieces, target.Mesh, blend),
-      excluded, SubProgress(watched, 0.8, 0.95));
+  std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, shares,
+    PricesLikeSource(source.Mesh, pieces, target.Mesh, blend, width), excluded,
+    SubProgress(watched, 0.8, 0.95));
   if (!watched(0.95))
   {
     return result;
