@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SideTransfer.h"
 
+#include "AnswerSearch.h"
 #include "FullResolution.h"
-#include "SkeletonMatching.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,28 +12,6 @@ namespace marrow
 {
 namespace
 {
-CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
-{
-  return { side.BranchOrder, { side.BranchReversed.begin(), side.BranchReversed.end() } };
-}
-
-std::vector<Answer> AnswersOf(
-  const Skeleton& source, const Skeleton& target, const SkeletonMatching& matching)
-{
-  std::vector<Answer> answers;
-  for (const SkeletonMatch& leaf : matching.Leaves)
-  {
-    if (answers.size() == MostAnswers)
-    {
-      break;
-    }
-    const CorrespondenceIds ids{ leaf.Source.NodeId, leaf.Target.NodeId, leaf.Source.BranchId,
-      leaf.Target.BranchId, OrderOf(leaf.Source), OrderOf(leaf.Target) };
-    answers.push_back({ JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence });
-  }
-  return answers;
-}
-
 /// The answer that the skeletons bring with them, which both meshes belong to as wholes.
 Partner PartnerOf(const GivenCorrespondence& source, const GivenCorrespondence& target,
   const Skeleton& sourceSkeleton, const Skeleton& targetSkeleton)
@@ -69,20 +47,19 @@ Partner FindPartner(
   const double size = static_cast<double>(source.Bodies.size());
   for (std::size_t b = 0; b < source.Bodies.size(); ++b)
   {
-    SkeletonMatching matching;
-    if (!MatchSkeletons(source.Bodies[b].Skeleton, target.Skeleton, {}, matching,
-          SubProgress(progress, b / size, (b + 1) / size)))
+    std::vector<Answer> answers = FindAnswers(
+      source.Bodies[b].Skeleton, target.Skeleton, SubProgress(progress, b / size, (b + 1) / size));
+    if (answers.empty())
     {
       return best;
     }
-    const SkeletonMatch& match = matching.Leaves.front();
     // Nothing matched costs nothing, and is the worst.
     const double cost =
-      match.BranchPairs > 0 ? match.GlobalCost : std::numeric_limits<double>::max();
+      answers.front().Match.IsEmpty() ? std::numeric_limits<double>::max() : answers.front().Cost;
     if (cost < least)
     {
       least = cost;
-      best = { b, AnswersOf(source.Bodies[b].Skeleton, target.Skeleton, matching) };
+      best = { b, std::move(answers) };
     }
   }
   return best;
@@ -110,8 +87,8 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     {
       return result;
     }
-    TransferResult ofOne = TransferSegmentation(source.Bodies[partner.SourceBody],
-      target.Bodies[b], partner.Answers, labelsOfSourceBodies[partner.SourceBody], parameters,
+    TransferResult ofOne = TransferSegmentation(source.Bodies[partner.SourceBody], target.Bodies[b],
+      partner.Answers, labelsOfSourceBodies[partner.SourceBody], parameters,
       SubProgress(ofBody, afterMatching, 1.0));
     if (ofOne.IsAborted)
     {
@@ -126,8 +103,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.MissingLabels.insert(ofOne.MissingLabels.begin(), ofOne.MissingLabels.end());
     result.NumberOfMissingPieces =
       std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
-    result.IsMatched =
-      result.IsMatched && !partner.Answers[ofOne.Answer].Match.IsEmpty();
+    result.IsMatched = result.IsMatched && !partner.Answers[ofOne.Answer].Match.IsEmpty();
     result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnswerChoice.h"
 
-#include "CoarseMesh.h"
-#include "DenseMap.h"
-#include "LeftoverPlaces.h"
+#include "AnswerPlaces.h"
 #include "SkeletonMap.h"
 
 #include <algorithm>
@@ -17,22 +15,6 @@ namespace
 /// Smaller differences of the sum are noise of the coarse map: where only these speak for another
 /// answer, the skeletons decide.
 constexpr double Margin = 0.01;
-
-std::vector<SkeletonMap::Place> PlacesOf(
-  const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
-{
-  SkeletonMap map(source, target, match);
-  for (std::size_t c = 0; c < match.Chains.size(); ++c)
-  {
-    const ChainPair& chain = match.Chains[c];
-    map.SetAlignment(
-      static_cast<int>(c), AlignChains(source, chain.Source, target, chain.Target, {}));
-  }
-  std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
-  std::vector<bool> isMatched = map.MatchedSourceNodes();
-  PlaceLeftovers(source, target, places, isMatched);
-  return places;
-}
 
 /// The value below and above which half of the weights lie.
 double WeightedMedian(std::vector<std::pair<double, double>> values)
@@ -93,6 +75,20 @@ Evidence Judge(
 }
 }
 
+AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
+  const Answer& answer)
+{
+  SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
+  AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
+  DenseMap map =
+    mapper.Map(PlacesByMap(source.Side, target.Side, skeletonMap), !answer.Match.IsEmpty(), {});
+  AnswerTrial trial;
+  trial.Against = Judge(source, target, answer, map);
+  trial.FoundTriangles = std::move(map.FoundTriangles);
+  trial.IsWholeAlignment = map.IsWholeAlignment;
+  return trial;
+}
+
 std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<Answer>& answers, const Eigen::Matrix<double, 3, 4>& whole,
   const Progress& progress)
@@ -116,10 +112,7 @@ std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
     {
       return best;
     }
-    const MatchedSkeletons& match = answers[i].Match;
-    const DenseMap map =
-      mapper.Map(PlacesOf(coarseSource.Side, coarseTarget.Side, match), !match.IsEmpty(), {});
-    const double against = Judge(coarseSource, coarseTarget, answers[i], map).Sum();
+    const double against = TryAnswer(coarseSource, coarseTarget, mapper, answers[i]).Against.Sum();
     if (i == 0 || against < least - (best == 0 ? Margin : 0.0))
     {
       least = against;

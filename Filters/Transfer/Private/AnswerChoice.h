@@ -3,6 +3,8 @@
 #define marrow_AnswerChoice_h
 
 #include "AnalyzedMesh.h"
+#include "CoarseMesh.h"
+#include "DenseMap.h"
 #include "MatchedSkeletons.h"
 #include "Progress.h"
 
@@ -33,6 +35,18 @@ struct Evidence
 
   double Sum() const { return this->Cost + this->Thickness + this->Cover; }
 };
+
+/// An answer carried out coarsely.
+struct AnswerTrial
+{
+  Evidence Against;
+  std::vector<int> FoundTriangles; ///< per vertex of the coarse target, of the coarse source
+  bool IsWholeAlignment = false;   ///< the skeletons were of no use
+};
+
+/// `mapper` is that of the two coarse meshes.
+AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
+  const Answer& answer);
 
 /// Carries every answer out coarsely, by a dense map between some 1000 points, and takes that against
 /// which least is to be said: head and tail, or two fingers, may be alike in length but not in

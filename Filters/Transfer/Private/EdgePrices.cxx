@@ -94,6 +94,12 @@ double ConcavityPreference(const TriangleMesh& mesh, const std::vector<double>& 
   return low;
 }
 
+double PreferenceOf(const TriangleMesh& mesh, const std::vector<int>& segmentOfTriangle)
+{
+  const MeshSmoother blend(mesh, BlendWidth * mesh.BoundingBoxDiagonal());
+  return ConcavityPreference(mesh, EdgeConcavity(mesh, blend), segmentOfTriangle);
+}
+
 std::vector<double> EdgePrices(
   const TriangleMesh& mesh, const std::vector<double>& concavity, double preference)
 {

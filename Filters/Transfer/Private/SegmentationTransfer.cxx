@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentationTransfer.h"
 
+#include "AnswerPlaces.h"
 #include "BoundaryPairs.h"
 #include "BoundaryTransfer.h"
 #include "DenseMap.h"
 #include "EdgePrices.h"
 #include "FaceLabels.h"
-#include "GhostBoundary.h"
 #include "LabelCleanUp.h"
 #include "LeftoverPlaces.h"
 #include "MeshSmoother.h"
@@ -24,25 +24,6 @@ namespace marrow
 {
 namespace
 {
-/// The width over which segments blend at their boundaries and concavity is measured, of the
-/// diagonal; any from 0.005 to 0.02 does.
-constexpr double BlendWidth = 0.01;
-
-void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const MatchedSkeletons& match, const TransferParameters& parameters, SkeletonMap& map)
-{
-  for (std::size_t c = 0; c < match.Chains.size(); ++c)
-  {
-    const Branch& sourceChain = match.Chains[c].Source;
-    const Branch& targetChain = match.Chains[c].Target;
-    const auto landmark = MatchGhostBoundaries(
-      FindGhostBoundaries(source, sourceChain, parameters.Theta, parameters.Kernel),
-      FindGhostBoundaries(target, targetChain, parameters.Theta, parameters.Kernel));
-    map.SetAlignment(
-      static_cast<int>(c), AlignChains(source, sourceChain, target, targetChain, landmark));
-  }
-}
-
 /// Pieces that lie for the most part on matched branches, or hold a part of what is matched: a matched
 /// node whose φ lies for the most part in them. (A patch on a limb holds no node; a body is one even
 /// if most of its surface belongs to a branch of its own that has no partner.)
@@ -86,16 +67,6 @@ std::vector<bool> TransferredPieces(const AnalyzedMesh& source, const SegmentPie
   return std::count(result.begin(), result.end(), true) > 0
     ? result
     : std::vector<bool>(pieces.NumberOfPieces(), true);
-}
-
-/// Edges of the target are as cheap where concave as the source's own boundaries keep to concavities.
-std::vector<double> PricesLikeSource(const TriangleMesh& source, const SegmentPieces& pieces,
-  const TriangleMesh& target, const MeshSmoother& blend)
-{
-  const MeshSmoother sourceBlend(source, BlendWidth * source.BoundingBoxDiagonal());
-  const double preference =
-    ConcavityPreference(source, EdgeConcavity(source, sourceBlend), pieces.PieceOfTriangle);
-  return EdgePrices(target, EdgeConcavity(target, blend), preference);
 }
 
 void SetConfidence(const AnalyzedMesh& target, const DenseMap& map, const Eigen::MatrixXd& shares,
@@ -191,7 +162,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const std::vector<SegmentLoop> loops = FindLoops(source.Mesh, pieces);
   result.Boundaries = PairsOfLoops(source, match, pieces, loops);
   SkeletonMap skeletonMap(source, target, match);
-  SetAlignments(source, target, match, parameters, skeletonMap);
+  AlignWithLandmarks(source, target, match, { parameters.Theta, parameters.Kernel }, skeletonMap);
   const bool anyMatched = !match.IsEmpty();
   std::vector<SkeletonMap::Place> places = skeletonMap.PlacesOfTargetNodes();
   std::vector<bool> isMatched = skeletonMap.MatchedSourceNodes();
@@ -237,9 +208,10 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const MeshSmoother blend(target.Mesh, BlendWidth * target.Diagonal());
   const Eigen::MatrixXd shares =
     blend.Smooth(mapper.Shares(map, pieces.PieceOfTriangle, pieces.NumberOfPieces()));
-  std::vector<int> pieceOfTriangle =
-    LabelFaces(target.Mesh, shares, PricesLikeSource(source.Mesh, pieces, target.Mesh, blend),
-      excluded, SubProgress(watched, 0.8, 0.95));
+  std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, shares,
+    EdgePrices(target.Mesh, EdgeConcavity(target.Mesh, blend),
+      PreferenceOf(source.Mesh, pieces.PieceOfTriangle)),
+    excluded, SubProgress(watched, 0.8, 0.95));
   if (!watched(0.95))
   {
     return result;
