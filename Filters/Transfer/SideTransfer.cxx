@@ -65,6 +65,24 @@ Partner FindPartner(
   return best;
 }
 
+CellLabels ToCells(const PreparedSurface& surface, const std::vector<int>& labelOfTriangle,
+  const std::vector<double>& confidenceOfTriangle)
+{
+  const WorkingSurface& working = surface.Working;
+  const std::vector<int> ofPolygons =
+    LabelsOfPolygons(working, LabelsAtFullResolution(working, labelOfTriangle));
+  CellLabels result;
+  result.Labels.assign(surface.NumberOfCells, -1);
+  result.Confidence.assign(surface.NumberOfCells, 0.0);
+  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
+  {
+    const int cell = surface.CellOfPolygon[p];
+    result.Labels[cell] = ofPolygons[p];
+    result.Confidence[cell] = confidenceOfTriangle[working.TriangleOfCell(static_cast<int>(p))];
+  }
+  return result;
+}
+
 SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& target,
   const GivenCorrespondence& givenSource, const GivenCorrespondence& givenTarget,
   const std::vector<std::vector<int>>& labelsOfSourceBodies, const TransferParameters& parameters,
@@ -109,17 +127,9 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }
 
-  const std::vector<int> ofPolygons =
-    LabelsOfPolygons(working, LabelsAtFullResolution(working, labels));
-  // Vertices and lines among the cells are no surface and have no segment.
-  result.Labels.assign(target.Surface.NumberOfCells, -1);
-  result.Confidence.assign(target.Surface.NumberOfCells, 0.0);
-  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
-  {
-    const int cell = target.Surface.CellOfPolygon[p];
-    result.Labels[cell] = ofPolygons[p];
-    result.Confidence[cell] = confidence[working.TriangleOfCell(static_cast<int>(p))];
-  }
+  CellLabels ofCells = ToCells(target.Surface, labels, confidence);
+  result.Labels = std::move(ofCells.Labels);
+  result.Confidence = std::move(ofCells.Confidence);
   return result;
 }
 }

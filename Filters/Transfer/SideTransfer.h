@@ -21,6 +21,17 @@ struct Partner
 Partner FindPartner(
   const AnalyzedSide& source, const AnalyzedMesh& target, const Progress& progress);
 
+/// Labels in the terms of the input.
+struct CellLabels
+{
+  std::vector<int> Labels;        ///< per cell; -1 for vertices and lines, which are no surface
+  std::vector<double> Confidence; ///< per cell, [0,1]
+};
+
+/// From the triangles of the working surface to the cells of the input.
+CellLabels ToCells(const PreparedSurface& surface, const std::vector<int>& labelOfTriangle,
+  const std::vector<double>& confidenceOfTriangle);
+
 /// What came over to all bodies of the target, in the terms of the input.
 struct SideTransferResult
 {
