@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace marrow
@@ -19,6 +20,12 @@ Partner PartnerOf(const GivenCorrespondence& source, const GivenCorrespondence& 
   const CorrespondenceIds ids{ source.Nodes, target.Nodes, source.Branches, target.Branches,
     source.Order, target.Order };
   return { 0, { { JoinChains(sourceSkeleton, targetSkeleton, ids), 0.0, source.Confidence } } };
+}
+
+double AreaOf(const TriangleMesh& mesh)
+{
+  const std::vector<double> areas = mesh.TriangleAreas();
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 void MoveBoundaries(std::vector<BoundaryPair> pairs, const Body& source, const Body& target,
@@ -93,6 +100,8 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
   const WorkingSurface& working = target.Surface.Working;
   std::vector<int> labels(working.Mesh.Triangles.size(), 0);
   std::vector<double> confidence(working.Mesh.Triangles.size(), 0.0);
+  double cost = 0.0;
+  double wholeArea = 0.0;
   const double size = static_cast<double>(target.Bodies.size());
   for (std::size_t b = 0; b < target.Bodies.size(); ++b)
   {
@@ -112,6 +121,10 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     {
       return result;
     }
+    const Answer& answer = partner.Answers[ofOne.Answer];
+    const double area = AreaOf(target.Bodies[b].Mesh);
+    cost += area * (answer.Match.IsEmpty() ? 1.0 : answer.Cost);
+    wholeArea += area;
     const Body& body = target.Surface.Bodies[b];
     for (std::size_t t = 0; t < ofOne.Labels.size(); ++t)
     {
@@ -127,6 +140,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }
 
+  result.Cost = wholeArea > 0.0 ? cost / wholeArea : 0.0;
   CellLabels ofCells = ToCells(target.Surface, labels, confidence);
   result.Labels = std::move(ofCells.Labels);
   result.Confidence = std::move(ofCells.Confidence);

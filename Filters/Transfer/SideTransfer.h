@@ -40,6 +40,8 @@ struct SideTransferResult
   std::vector<BoundaryPair> Boundaries; ///< in the coordinates of the two meshes
   std::set<int> MissingLabels;          ///< labels that some body of the target has not got
   int NumberOfMissingPieces = 0;        ///< of the body that misses most
+  /// Of the matching, the mean over the area; 1 where nothing is matched.
+  double Cost = 0.0;
   bool IsMatched = true;                ///< every body has a matched branch
   bool IsWholeAlignment = false;        ///< some body is aligned as a whole
 };
