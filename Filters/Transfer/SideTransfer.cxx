@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SideTransfer.h"
 
+#include "AnswerSearch.h"
 #include "FullResolution.h"
-#include "SkeletonMatching.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace marrow
 {
 namespace
 {
-CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
-{
-  return { side.BranchOrder, { side.BranchReversed.begin(), side.BranchReversed.end() } };
-}
-
-std::vector<Answer> AnswersOf(
-  const Skeleton& source, const Skeleton& target, const SkeletonMatching& matching)
-{
-  std::vector<Answer> answers;
-  for (const SkeletonMatch& leaf : matching.Leaves)
-  {
-    if (answers.size() == MostAnswers)
-    {
-      break;
-    }
-    const CorrespondenceIds ids{ leaf.Source.NodeId, leaf.Target.NodeId, leaf.Source.BranchId,
-      leaf.Target.BranchId, OrderOf(leaf.Source), OrderOf(leaf.Target) };
-    answers.push_back({ JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence });
-  }
-  return answers;
-}
-
 /// The answer that the skeletons bring with them, which both meshes belong to as wholes.
 Partner PartnerOf(const GivenCorrespondence& source, const GivenCorrespondence& target,
   const Skeleton& sourceSkeleton, const Skeleton& targetSkeleton)
@@ -41,6 +20,12 @@ Partner PartnerOf(const GivenCorrespondence& source, const GivenCorrespondence& 
   const CorrespondenceIds ids{ source.Nodes, target.Nodes, source.Branches, target.Branches,
     source.Order, target.Order };
   return { 0, { { JoinChains(sourceSkeleton, targetSkeleton, ids), 0.0, source.Confidence } } };
+}
+
+double AreaOf(const TriangleMesh& mesh)
+{
+  const std::vector<double> areas = mesh.TriangleAreas();
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 void MoveBoundaries(std::vector<BoundaryPair> pairs, const Body& source, const Body& target,
@@ -69,23 +54,40 @@ Partner FindPartner(
   const double size = static_cast<double>(source.Bodies.size());
   for (std::size_t b = 0; b < source.Bodies.size(); ++b)
   {
-    SkeletonMatching matching;
-    if (!MatchSkeletons(source.Bodies[b].Skeleton, target.Skeleton, {}, matching,
-          SubProgress(progress, b / size, (b + 1) / size)))
+    std::vector<Answer> answers = FindAnswers(
+      source.Bodies[b].Skeleton, target.Skeleton, SubProgress(progress, b / size, (b + 1) / size));
+    if (answers.empty())
     {
       return best;
     }
-    const SkeletonMatch& match = matching.Leaves.front();
     // Nothing matched costs nothing, and is the worst.
     const double cost =
-      match.BranchPairs > 0 ? match.GlobalCost : std::numeric_limits<double>::max();
+      answers.front().Match.IsEmpty() ? std::numeric_limits<double>::max() : answers.front().Cost;
     if (cost < least)
     {
       least = cost;
-      best = { b, AnswersOf(source.Bodies[b].Skeleton, target.Skeleton, matching) };
+      best = { b, std::move(answers) };
     }
   }
   return best;
+}
+
+CellLabels ToCells(const PreparedSurface& surface, const std::vector<int>& labelOfTriangle,
+  const std::vector<double>& confidenceOfTriangle)
+{
+  const WorkingSurface& working = surface.Working;
+  const std::vector<int> ofPolygons =
+    LabelsOfPolygons(working, LabelsAtFullResolution(working, labelOfTriangle));
+  CellLabels result;
+  result.Labels.assign(surface.NumberOfCells, -1);
+  result.Confidence.assign(surface.NumberOfCells, 0.0);
+  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
+  {
+    const int cell = surface.CellOfPolygon[p];
+    result.Labels[cell] = ofPolygons[p];
+    result.Confidence[cell] = confidenceOfTriangle[working.TriangleOfCell(static_cast<int>(p))];
+  }
+  return result;
 }
 
 SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& target,
@@ -98,6 +100,8 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
   const WorkingSurface& working = target.Surface.Working;
   std::vector<int> labels(working.Mesh.Triangles.size(), 0);
   std::vector<double> confidence(working.Mesh.Triangles.size(), 0.0);
+  double cost = 0.0;
+  double wholeArea = 0.0;
   const double size = static_cast<double>(target.Bodies.size());
   for (std::size_t b = 0; b < target.Bodies.size(); ++b)
   {
@@ -110,13 +114,17 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     {
       return result;
     }
-    TransferResult ofOne = TransferSegmentation(source.Bodies[partner.SourceBody],
-      target.Bodies[b], partner.Answers, labelsOfSourceBodies[partner.SourceBody], parameters,
+    TransferResult ofOne = TransferSegmentation(source.Bodies[partner.SourceBody], target.Bodies[b],
+      partner.Answers, labelsOfSourceBodies[partner.SourceBody], parameters,
       SubProgress(ofBody, afterMatching, 1.0));
     if (ofOne.IsAborted)
     {
       return result;
     }
+    const Answer& answer = partner.Answers[ofOne.Answer];
+    const double area = AreaOf(target.Bodies[b].Mesh);
+    cost += area * (answer.Match.IsEmpty() ? 1.0 : answer.Cost);
+    wholeArea += area;
     const Body& body = target.Surface.Bodies[b];
     for (std::size_t t = 0; t < ofOne.Labels.size(); ++t)
     {
@@ -126,24 +134,16 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.MissingLabels.insert(ofOne.MissingLabels.begin(), ofOne.MissingLabels.end());
     result.NumberOfMissingPieces =
       std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
-    result.IsMatched =
-      result.IsMatched && !partner.Answers[ofOne.Answer].Match.IsEmpty();
+    result.IsMatched = result.IsMatched && !partner.Answers[ofOne.Answer].Match.IsEmpty();
     result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }
 
-  const std::vector<int> ofPolygons =
-    LabelsOfPolygons(working, LabelsAtFullResolution(working, labels));
-  // Vertices and lines among the cells are no surface and have no segment.
-  result.Labels.assign(target.Surface.NumberOfCells, -1);
-  result.Confidence.assign(target.Surface.NumberOfCells, 0.0);
-  for (std::size_t p = 0; p < ofPolygons.size(); ++p)
-  {
-    const int cell = target.Surface.CellOfPolygon[p];
-    result.Labels[cell] = ofPolygons[p];
-    result.Confidence[cell] = confidence[working.TriangleOfCell(static_cast<int>(p))];
-  }
+  result.Cost = wholeArea > 0.0 ? cost / wholeArea : 0.0;
+  CellLabels ofCells = ToCells(target.Surface, labels, confidence);
+  result.Labels = std::move(ofCells.Labels);
+  result.Confidence = std::move(ofCells.Confidence);
   return result;
 }
 }

@@ -21,6 +21,17 @@ struct Partner
 Partner FindPartner(
   const AnalyzedSide& source, const AnalyzedMesh& target, const Progress& progress);
 
+/// Labels in the terms of the input.
+struct CellLabels
+{
+  std::vector<int> Labels;        ///< per cell; -1 for vertices and lines, which are no surface
+  std::vector<double> Confidence; ///< per cell, [0,1]
+};
+
+/// From the triangles of the working surface to the cells of the input.
+CellLabels ToCells(const PreparedSurface& surface, const std::vector<int>& labelOfTriangle,
+  const std::vector<double>& confidenceOfTriangle);
+
 /// What came over to all bodies of the target, in the terms of the input.
 struct SideTransferResult
 {
@@ -29,6 +40,8 @@ struct SideTransferResult
   std::vector<BoundaryPair> Boundaries; ///< in the coordinates of the two meshes
   std::set<int> MissingLabels;          ///< labels that some body of the target has not got
   int NumberOfMissingPieces = 0;        ///< of the body that misses most
+  /// Of the matching, the mean over the area; 1 where nothing is matched.
+  double Cost = 0.0;
   bool IsMatched = true;                ///< every body has a matched branch
   bool IsWholeAlignment = false;        ///< some body is aligned as a whole
 };

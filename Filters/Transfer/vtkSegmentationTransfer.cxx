@@ -13,6 +13,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -256,6 +257,10 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   // Viewers prefer point scalars to cell scalars.
   output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
+  vtkNew<vtkDoubleArray> cost;
+  cost->SetName(marrow::names::MatchingCost);
+  cost->InsertNextValue(result.Cost);
+  output->GetFieldData()->AddArray(cost);
   output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
   if (vtkAbstractArray* segmentNames =
         sourceMesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName))

@@ -67,7 +67,10 @@
  *     far the face lies on matched branches (1; 0.75 on parts that are matched on neither side but were
  *     found in the same place; 0.55 on other branches without a partner) and of the share that the
  *     dense correspondence gives the face's segment, which is small near boundaries;
- *   and the source's field array SegmentName (string), if it has one: at i the name of segment i;
+ *   and the field arrays MatchingCost (double, the cost of the correspondence as vtkSkeletonCorrespondence's
+ *   GlobalCost, the mean over the area if there are several bodies; 1 where nothing is matched, 0 where the
+ *   skeletons brought their correspondence), and the source's SegmentName (string), if it has one: at i
+ *   the name of segment i;
  * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is
  *   repeated at the end of the cell) with the cell arrays BoundaryId (vtkIdType), FirstSegmentId and
  *   SecondSegmentId (int; the segments on the left and on the right of the line as seen from

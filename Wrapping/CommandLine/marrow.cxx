@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The `marrow` command: one subcommand per stage of the pipeline, and one that draws.
+#include "CollectionCommand.h"
 #include "CommandError.h"
 #include "Console.h"
 #include "CorrespondCommand.h"
@@ -35,11 +36,12 @@ int main(int argc, char** argv)
   SkeletonCommand skeleton;
   CorrespondCommand correspond;
   TransferCommand transfer;
+  CollectionCommand collection;
   EvaluateCommand evaluate;
   RenderCommand render;
   const std::pair<CLI::App*, Command*> commands[] = { { measure.Declare(app), &measure },
     { skeleton.Declare(app), &skeleton }, { correspond.Declare(app), &correspond },
-    { transfer.Declare(app), &transfer }, { evaluate.Declare(app), &evaluate },
+    { transfer.Declare(app), &transfer }, { collection.Declare(app), &collection }, { evaluate.Declare(app), &evaluate },
     { render.Declare(app), &render } };
   CLI11_PARSE(app, argc, argv);
 

@@ -38,6 +38,13 @@ inline constexpr const char* CorrespondenceConfidence = "CorrespondenceConfidenc
 // On mesh cells
 inline constexpr const char* SegmentId = "SegmentId";
 inline constexpr const char* SegmentConfidence = "SegmentConfidence";
+inline constexpr const char* SegmentDisagreement = "SegmentDisagreement";
+inline constexpr const char* SegmentShares = "SegmentShares";
+
+// On a mesh that was labelled as a whole (field data)
+inline constexpr const char* MatchingCost = "MatchingCost";
+inline constexpr const char* SegmentShareId = "SegmentShareId";
+inline constexpr const char* LabellingWeight = "LabellingWeight";
 
 // On the cells of a mesh that was read from a file with such parts
 inline constexpr const char* GroupId = "GroupId";

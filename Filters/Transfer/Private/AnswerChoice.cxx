@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnswerChoice.h"
 
-#include "CoarseMesh.h"
-#include "DenseMap.h"
-#include "LeftoverPlaces.h"
+#include "AnswerPlaces.h"
+#include "AnswerSearch.h"
 #include "SkeletonMap.h"
 #include "WholeAlignment.h"
 
@@ -18,22 +17,6 @@ namespace
 /// Smaller differences of the sum are noise of the coarse map: where only these speak for another
 /// answer, the skeletons decide. Anything from 0.01 to 0.02 does.
 constexpr double Margin = 0.015;
-
-std::vector<SkeletonMap::Place> PlacesOf(
-  const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
-{
-  SkeletonMap map(source, target, match);
-  for (std::size_t c = 0; c < match.Chains.size(); ++c)
-  {
-    const ChainPair& chain = match.Chains[c];
-    map.SetAlignment(
-      static_cast<int>(c), AlignChains(source, chain.Source, target, chain.Target, {}));
-  }
-  std::vector<SkeletonMap::Place> places = map.PlacesOfTargetNodes();
-  std::vector<bool> isMatched = map.MatchedSourceNodes();
-  PlaceLeftovers(source, target, places, isMatched);
-  return places;
-}
 
 /// The value below and above which half of the weights lie.
 double WeightedMedian(std::vector<std::pair<double, double>> values)
@@ -56,23 +39,12 @@ double WeightedMedian(std::vector<std::pair<double, double>> values)
   return 0.0;
 }
 
-MatchedSkeletons Reversed(const MatchedSkeletons& match)
+/// What speaks against `map`, which carries `target` to `source`.
+Evidence Judge(
+  const CoarseMesh& source, const CoarseMesh& target, const Answer& answer, const DenseMap& map)
 {
-  MatchedSkeletons reversed = match;
-  for (ChainPair& chain : reversed.Chains)
-  {
-    std::swap(chain.Source, chain.Target);
-  }
-  std::swap(reversed.Ids.SourceNodes, reversed.Ids.TargetNodes);
-  std::swap(reversed.Ids.SourceBranches, reversed.Ids.TargetBranches);
-  std::swap(reversed.Ids.SourceOrder, reversed.Ids.TargetOrder);
-  return reversed;
-}
-
-/// Adds half of what speaks against `map`, which carries `target` to `source`.
-void AddHalf(
-  const CoarseMesh& source, const CoarseMesh& target, const DenseMap& map, Evidence& evidence)
-{
+  Evidence evidence;
+  evidence.Cost = answer.Match.IsEmpty() ? 1.0 : answer.Cost;
   const std::vector<Eigen::Vector3d> sourceNormals = source.Side.Mesh.VertexNormals();
   std::vector<double> surplus(source.NumberOfPatches, 0.0);
   for (std::size_t v = 0; v < source.Patches.size(); ++v)
@@ -95,40 +67,46 @@ void AddHalf(
     ratios.emplace_back(std::log(std::max(target.Side.MSP[v] / target.Size, least) /
                           std::max(there / source.Size, least)),
       target.Shares[v]);
-    evidence.Turned += 0.5 * target.Shares[v] * (1.0 - cosine);
+    evidence.Turned += target.Shares[v] * (1.0 - cosine);
   }
   const double usual = WeightedMedian(ratios);
   for (const auto& [ratio, share] : ratios)
   {
-    evidence.Thickness += 0.5 * share * std::min(std::abs(ratio - usual), 1.0);
+    evidence.Thickness += share * std::min(std::abs(ratio - usual), 1.0);
   }
   for (const double value : surplus)
   {
-    evidence.Cover += 0.5 * 0.5 * std::abs(value);
+    evidence.Cover += 0.5 * std::abs(value);
   }
+  return evidence;
+}
 }
 
-/// One of two coarse meshes that are mapped to each other.
-struct Direction
+AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
+  const Answer& answer)
 {
-  const CoarseMesh& Source;
-  const CoarseMesh& Target;
-  DenseMapper Mapper;
+  SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
+  AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
+  DenseMap map =
+    mapper.Map(PlacesByMap(source.Side, target.Side, skeletonMap), !answer.Match.IsEmpty(), {});
+  AnswerTrial trial;
+  trial.Against = Judge(source, target, answer, map);
+  trial.FoundTriangles = std::move(map.FoundTriangles);
+  trial.IsWholeAlignment = map.IsWholeAlignment;
+  return trial;
+}
 
-  Direction(const CoarseMesh& source, const CoarseMesh& target)
-    : Source(source)
-    , Target(target)
-    , Mapper(source.Side, target.Side, {}, AlignWhole(source.Side.Mesh, target.Side.Mesh))
+std::size_t LikeliestAnswer(const std::vector<double>& against)
+{
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < against.size(); ++i)
   {
+    if (against[i] < against[best] - (best == 0 ? Margin : 0.0))
+    {
+      best = i;
+    }
   }
-
-  void AddHalf(const MatchedSkeletons& match, Evidence& evidence) const
-  {
-    const DenseMap map =
-      this->Mapper.Map(PlacesOf(this->Source.Side, this->Target.Side, match), !match.IsEmpty(), {});
-    marrow::AddHalf(this->Source, this->Target, map, evidence);
-  }
-};
+  return best;
 }
 
 std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
@@ -144,28 +122,20 @@ std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
   {
     return 0;
   }
-  const Direction there(coarseSource, coarseTarget);
-  const Direction back(coarseTarget, coarseSource);
-  std::size_t best = 0;
-  double least = 0.0;
-  for (std::size_t i = 0; i < answers.size(); ++i)
+  const DenseMapper there(coarseSource.Side, coarseTarget.Side, {},
+    AlignWhole(coarseSource.Side.Mesh, coarseTarget.Side.Mesh));
+  const DenseMapper back(coarseTarget.Side, coarseSource.Side, {},
+    AlignWhole(coarseTarget.Side.Mesh, coarseSource.Side.Mesh));
+  std::vector<double> against;
+  for (const Answer& answer : answers)
   {
-    if (!Report(progress, static_cast<double>(i) / answers.size()))
+    if (!Report(progress, static_cast<double>(against.size()) / answers.size()))
     {
-      return best;
+      return 0;
     }
-    const MatchedSkeletons& match = answers[i].Match;
-    Evidence evidence;
-    evidence.Cost = match.IsEmpty() ? 1.0 : answers[i].Cost;
-    there.AddHalf(match, evidence);
-    back.AddHalf(Reversed(match), evidence);
-    const double against = evidence.Sum();
-    if (i == 0 || against < least - (best == 0 ? Margin : 0.0))
-    {
-      least = against;
-      best = i;
-    }
+    against.push_back(0.5 * TryAnswer(coarseSource, coarseTarget, there, answer).Against.Sum() +
+      0.5 * TryAnswer(coarseTarget, coarseSource, back, Turned(answer)).Against.Sum());
   }
-  return best;
+  return LikeliestAnswer(against);
 }
 }

@@ -3,6 +3,8 @@
 #define marrow_AnswerChoice_h
 
 #include "AnalyzedMesh.h"
+#include "CoarseMesh.h"
+#include "DenseMap.h"
 #include "MatchedSkeletons.h"
 #include "Progress.h"
 
@@ -32,11 +34,27 @@ struct Evidence
   double Sum() const { return this->Cost + this->Thickness + this->Cover + this->Turned; }
 };
 
+/// An answer carried out coarsely.
+struct AnswerTrial
+{
+  Evidence Against;
+  std::vector<int> FoundTriangles; ///< per vertex of the coarse target, of the coarse source
+  bool IsWholeAlignment = false;   ///< the skeletons were of no use
+};
+
+/// `mapper` is that of the two coarse meshes.
+AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
+  const Answer& answer);
+
+/// By the mean of Evidence's sum there and back, per answer: the index of the least; of equals the
+/// first, and the very first if no other is better by more than noise.
+std::size_t LikeliestAnswer(const std::vector<double>& against);
+
 /// Carries every answer out coarsely, by dense maps between some 1000 points from target to source
 /// and back, and takes that against which least is to be said: head and tail, or two fingers, may be
 /// similar in length but not in thickness, and a wrong answer maps much of a surface to one place and
-/// leaves others empty. The four are of one order, and count alike. Returns the index; the first of
-/// equals.
+/// leaves others empty. The four pieces of evidence are of one order, and count alike. Returns the
+/// index; 0 if `progress` asked to stop.
 std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<Answer>& answers, const Progress& progress);
 }

@@ -160,6 +160,7 @@ CoarseMesh Coarsen(const AnalyzedMesh& fine)
     }
   }
   side.Mesh.BuildConnectivity();
+  coarse.CellOfVertex = cells.CellOfVertex;
   return coarse;
 }
 }

@@ -19,7 +19,8 @@ struct CoarseMesh
   std::vector<double> Shares; ///< per vertex: the area of its cell, of the whole; sum 1
   std::vector<int> Patches;   ///< per vertex: one of a few larger cells of even size
   int NumberOfPatches = 0;
-  double Size = 0.0; ///< root of the fine mesh's area
+  std::vector<int> CellOfVertex; ///< per vertex of the fine mesh; -1: no triangle uses it
+  double Size = 0.0;             ///< root of the fine mesh's area
 };
 
 CoarseMesh Coarsen(const AnalyzedMesh& fine);

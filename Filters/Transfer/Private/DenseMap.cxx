@@ -103,11 +103,24 @@ std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
 
 DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<bool>& isFindable, const Eigen::Matrix<double, 3, 4>& whole)
+  : DenseMapper(
+      source, target, std::make_shared<SourceSearch>(source, isFindable), SmootherOf(target), whole)
+{
+}
+
+std::shared_ptr<const MeshSmoother> DenseMapper::SmootherOf(const AnalyzedMesh& target)
+{
+  return std::make_shared<MeshSmoother>(target.Mesh, 0.5 * MeanRadius(target));
+}
+
+DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  std::shared_ptr<const SourceSearch> search, std::shared_ptr<const MeshSmoother> smoother,
+  const Eigen::Matrix<double, 3, 4>& whole)
   : Source(source)
   , Target(target)
   , Whole(whole)
-  , Search(source, isFindable)
-  , Smoother(target.Mesh, 0.5 * MeanRadius(target))
+  , Search(std::move(search))
+  , Smoother(std::move(smoother))
   , Areas(target.Mesh.VertexAreas())
   , WholeQueries(QueriesAsWhole(target.Mesh, whole, 0.05 * source.Diagonal()))
 {
@@ -123,7 +136,7 @@ std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& qu
     {
       for (int v = first; v < last; ++v)
       {
-        found[v] = this->Search.Find(queries[v]);
+        found[v] = this->Search->Find(queries[v]);
       }
     });
   return found;
@@ -140,8 +153,8 @@ double DenseMapper::Misfit(
   for (std::size_t v = 0; v < queries.size(); ++v)
   {
     const double squared =
-      (this->Search.Centroid(found[v]) - queries[v].Position).squaredNorm() / (scale * scale);
-    const double turn = 1.0 - this->Search.Normal(found[v]).dot(queries[v].Normal);
+      (this->Search->Centroid(found[v]) - queries[v].Position).squaredNorm() / (scale * scale);
+    const double turn = 1.0 - this->Search->Normal(found[v]).dot(queries[v].Normal);
     sum += this->Areas[v] * std::min(1.0, squared + 0.5 * turn);
     total += this->Areas[v];
   }
@@ -155,8 +168,8 @@ double DenseMapper::Standoff(const DenseMap& map) const
   for (std::size_t v = 0; v < map.Places.size(); ++v)
   {
     const int found = map.FoundTriangles[v];
-    const Eigen::Vector3d offset = map.Places[v].Position - this->Search.Centroid(found);
-    sum += this->Areas[v] * std::abs(offset.dot(this->Search.Normal(found)));
+    const Eigen::Vector3d offset = map.Places[v].Position - this->Search->Centroid(found);
+    sum += this->Areas[v] * std::abs(offset.dot(this->Search->Normal(found)));
     total += this->Areas[v];
   }
   return total > 0.0 ? sum / (total * std::max(this->Source.Diagonal(), 1e-300)) : 0.0;
@@ -173,8 +186,8 @@ DenseMap DenseMapper::Map(
   if (anyMatched)
   {
     std::vector<double> certainty;
-    std::vector<SourceSearch::Query> queries =
-      QueriesBySkeleton(this->Source, this->Target, places, this->Whole, this->Smoother, certainty);
+    std::vector<SourceSearch::Query> queries = QueriesBySkeleton(
+      this->Source, this->Target, places, this->Whole, *this->Smoother, certainty);
     std::vector<int> found = this->FindAll(queries);
     // A correspondence that is wrong brings the surfaces together no better than none.
     constexpr double goodEnough = 0.2;
@@ -197,10 +210,10 @@ DenseMap DenseMapper::Map(
     Eigen::MatrixXd displacements(numberOfVertices, 3);
     for (int v = 0; v < numberOfVertices; ++v)
     {
-      const Eigen::Vector3d& found = this->Search.Centroid(map.FoundTriangles[v]);
+      const Eigen::Vector3d& found = this->Search->Centroid(map.FoundTriangles[v]);
       displacements.row(v) = map.Certainty[v] * (found - map.Places[v].Position).transpose();
     }
-    displacements = this->Smoother.Smooth(displacements);
+    displacements = this->Smoother->Smooth(displacements);
     for (int v = 0; v < numberOfVertices; ++v)
     {
       map.Places[v].Position += displacements.row(v).transpose();
@@ -220,7 +233,7 @@ Eigen::MatrixXd DenseMapper::Shares(
     {
       for (int v = first; v < last; ++v)
       {
-        for (const auto& [triangle, weight] : this->Search.FindSeveral(map.Places[v]))
+        for (const auto& [triangle, weight] : this->Search->FindSeveral(map.Places[v]))
         {
           shares(v, segmentOfTriangle[triangle]) += weight;
         }

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace marrow
@@ -45,6 +46,13 @@ public:
   /// neighbours; empty: none is. `whole` is AlignWhole's.
   DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
     const std::vector<bool>& isFindable, const Eigen::Matrix<double, 3, 4>& whole);
+  /// The same with what is found out about each side alone, for many pairs of the same meshes.
+  DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
+    std::shared_ptr<const SourceSearch> search, std::shared_ptr<const MeshSmoother> smoother,
+    const Eigen::Matrix<double, 3, 4>& whole);
+
+  /// What smoothes the map over a target.
+  static std::shared_ptr<const MeshSmoother> SmootherOf(const AnalyzedMesh& target);
 
   DenseMap Map(
     const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const;
@@ -63,8 +71,8 @@ private:
   const AnalyzedMesh& Source;
   const AnalyzedMesh& Target;
   Eigen::Matrix<double, 3, 4> Whole;
-  SourceSearch Search;
-  MeshSmoother Smoother;
+  std::shared_ptr<const SourceSearch> Search;
+  std::shared_ptr<const MeshSmoother> Smoother;
   std::vector<double> Areas; ///< per target vertex
   std::vector<SourceSearch::Query> WholeQueries;
   std::vector<int> WholeFound;

@@ -94,6 +94,13 @@ double ConcavityPreference(const TriangleMesh& mesh, const std::vector<double>& 
   return low;
 }
 
+double PreferenceOf(
+  const TriangleMesh& mesh, const std::vector<int>& segmentOfTriangle, double width)
+{
+  const MeshSmoother blend(mesh, width * mesh.BoundingBoxDiagonal());
+  return ConcavityPreference(mesh, EdgeConcavity(mesh, blend), segmentOfTriangle);
+}
+
 std::vector<double> EdgePrices(
   const TriangleMesh& mesh, const std::vector<double>& concavity, double preference)
 {

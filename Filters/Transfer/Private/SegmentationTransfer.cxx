@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentationTransfer.h"
 
+#include "AnswerPlaces.h"
 #include "BoundaryPairs.h"
 #include "BoundaryTransfer.h"
 #include "DenseMap.h"
 #include "EdgePrices.h"
 #include "FaceLabels.h"
-#include "GhostBoundary.h"
 #include "LabelCleanUp.h"
 #include "LeftoverPlaces.h"
 #include "MeshSmoother.h"
@@ -28,27 +28,12 @@ namespace
 /// diagonal: as far as the map may be wrong along the surface, so that between equal shapes boundaries
 /// stay as they are, and between different ones the target's own shape decides where they run.
 /// Anything from 1 to 2 times the standoff does.
-double BlendWidth(const DenseMap& map)
+double WidthFor(const DenseMap& map)
 {
   constexpr double perStandoff = 1.5;
   constexpr double least = 1e-4;
   constexpr double most = 0.03;
   return std::clamp(perStandoff * map.Standoff, least, most);
-}
-
-void SetAlignments(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const MatchedSkeletons& match, const TransferParameters& parameters, SkeletonMap& map)
-{
-  for (std::size_t c = 0; c < match.Chains.size(); ++c)
-  {
-    const Branch& sourceChain = match.Chains[c].Source;
-    const Branch& targetChain = match.Chains[c].Target;
-    const auto landmark = MatchGhostBoundaries(
-      FindGhostBoundaries(source, sourceChain, parameters.Theta, parameters.Kernel),
-      FindGhostBoundaries(target, targetChain, parameters.Theta, parameters.Kernel));
-    map.SetAlignment(
-      static_cast<int>(c), AlignChains(source, sourceChain, target, targetChain, landmark));
-  }
 }
 
 /// Pieces that lie for the most part on matched branches, or hold a part of what is matched: a matched
@@ -94,16 +79,6 @@ std::vector<bool> TransferredPieces(const AnalyzedMesh& source, const SegmentPie
   return std::count(result.begin(), result.end(), true) > 0
     ? result
     : std::vector<bool>(pieces.NumberOfPieces(), true);
-}
-
-/// Edges of the target are as cheap where concave as the source's own boundaries keep to concavities.
-std::vector<double> PricesLikeSource(const TriangleMesh& source, const SegmentPieces& pieces,
-  const TriangleMesh& target, const MeshSmoother& blend, double width)
-{
-  const MeshSmoother sourceBlend(source, width * source.BoundingBoxDiagonal());
-  const double preference =
-    ConcavityPreference(source, EdgeConcavity(source, sourceBlend), pieces.PieceOfTriangle);
-  return EdgePrices(target, EdgeConcavity(target, blend), preference);
 }
 
 void SetConfidence(const AnalyzedMesh& target, const DenseMap& map, const Eigen::MatrixXd& shares,
@@ -199,7 +174,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const std::vector<SegmentLoop> loops = FindLoops(source.Mesh, pieces);
   result.Boundaries = PairsOfLoops(source, match, pieces, loops);
   SkeletonMap skeletonMap(source, target, match);
-  SetAlignments(source, target, match, parameters, skeletonMap);
+  AlignWithLandmarks(source, target, match, { parameters.Theta, parameters.Kernel }, skeletonMap);
   const bool anyMatched = !match.IsEmpty();
   std::vector<SkeletonMap::Place> places = skeletonMap.PlacesOfTargetNodes();
   std::vector<bool> isMatched = skeletonMap.MatchedSourceNodes();
@@ -242,13 +217,14 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
-  const double width = BlendWidth(map);
+  const double width = WidthFor(map);
   const MeshSmoother blend(target.Mesh, width * target.Diagonal());
   const Eigen::MatrixXd shares =
     blend.Smooth(mapper.Shares(map, pieces.PieceOfTriangle, pieces.NumberOfPieces()));
   std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, shares,
-    PricesLikeSource(source.Mesh, pieces, target.Mesh, blend, width), excluded,
-    SubProgress(watched, 0.8, 0.95));
+    EdgePrices(target.Mesh, EdgeConcavity(target.Mesh, blend),
+      PreferenceOf(source.Mesh, pieces.PieceOfTriangle, width)),
+    excluded, SubProgress(watched, 0.8, 0.95));
   if (!watched(0.95))
   {
     return result;

@@ -15,6 +15,7 @@ from typing import Any as _Any
 _MODULES = (
     "MarrowSkeleton",
     "MarrowTransfer",
+    "MarrowCollection",
     "MarrowCorrespondence",
     "MarrowMeasures",
     "MarrowSurface",

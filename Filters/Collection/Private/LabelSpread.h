@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_LabelSpread_h
+#define marrow_LabelSpread_h
+
+#include "CollectionGraph.h"
+#include "Progress.h"
+
+#include <vector>
+
+namespace marrow
+{
+/// What a shape without labels got.
+struct SpreadLabels
+{
+  std::vector<int> Labels;        ///< per triangle
+  /// Per triangle, [0,1]: the share of its label, if one more teller, of the sort against which all is to
+  /// be said, told something else.
+  std::vector<double> Confidence;
+  /// Of its tellers the source that counts most, -1 if none of them is one, and what speaks against the
+  /// answer that is taken of it.
+  int Source = -1;
+  double Against = 1.0;
+  bool IsWholeAlignment = false; ///< with that source
+};
+
+/// Chooses the tellers that a shape of a graph hears at the working resolution, and carries out their maps,
+/// as far as that was not done before: all sources, and the others that count most. False if `progress`
+/// asked to stop.
+bool CarryMaps(CollectionGraph& graph, const Progress& progress);
+
+/// Lets the labels spread at the working resolution, and settles each shape's by one cut. Per shape;
+/// nothing for the sources. What `progress` stops is left unfinished.
+std::vector<SpreadLabels> SpreadOverGraph(const CollectionGraph& graph, const Progress& progress);
+}
+
+#endif

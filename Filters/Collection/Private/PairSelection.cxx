@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PairSelection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace marrow
+{
+namespace
+{
+/// Branches beyond are too short to tell shapes apart.
+constexpr std::size_t NumberOfBranches = 12;
+/// As many as a small collection's pairs would be a third of: enough for a vote, and for the spreading
+/// to reach all in two rounds.
+constexpr std::size_t NumberOfNeighbors = SmallCollection / 3;
+
+/// Prim's algorithm: pairs that join all shapes at the least sum of distances.
+void AddSpanningTree(const std::vector<std::vector<double>>& sketches,
+  const std::function<void(int, int)>& add)
+{
+  const int n = static_cast<int>(sketches.size());
+  std::vector<double> distance(n, std::numeric_limits<double>::infinity());
+  std::vector<int> nearest(n, -1);
+  std::vector<bool> isReached(n, false);
+  int last = 0;
+  for (int step = 1; step < n; ++step)
+  {
+    isReached[last] = true;
+    int next = -1;
+    for (int s = 0; s < n; ++s)
+    {
+      if (isReached[s])
+      {
+        continue;
+      }
+      const double toLast = SketchDistance(sketches[last], sketches[s]);
+      if (toLast < distance[s])
+      {
+        distance[s] = toLast;
+        nearest[s] = last;
+      }
+      if (next < 0 || distance[s] < distance[next])
+      {
+        next = s;
+      }
+    }
+    add(nearest[next], next);
+    last = next;
+  }
+}
+}
+
+std::vector<double> SketchOf(const Skeleton& skeleton)
+{
+  const double diagonal = std::max(skeleton.MeshDiagonal, 1e-300);
+  std::vector<std::pair<double, double>> branches;
+  int terminals = 0;
+  for (int node = 0; node < skeleton.NumberOfNodes(); ++node)
+  {
+    terminals += skeleton.TypeOf(node) == NodeType::Terminal ? 1 : 0;
+  }
+  for (const Branch& branch : skeleton.Branches)
+  {
+    const bool isLimb = skeleton.TypeOf(branch.Front()) == NodeType::Terminal ||
+      skeleton.TypeOf(branch.Back()) == NodeType::Terminal;
+    if (isLimb)
+    {
+      double radius = 0.0;
+      for (const int node : branch.Nodes)
+      {
+        radius += skeleton.Graph[node].Radius / static_cast<double>(branch.Nodes.size());
+      }
+      branches.emplace_back(branch.Length() / diagonal, radius / diagonal);
+    }
+  }
+  std::sort(branches.rbegin(), branches.rend());
+  branches.resize(NumberOfBranches);
+  // A limb more or less weighs as much as a branch a quarter of the diagonal longer.
+  constexpr double ofOneLimb = 0.25;
+  std::vector<double> sketch{ ofOneLimb * terminals, ofOneLimb * skeleton.NumberOfLoops() };
+  for (const auto& [length, radius] : branches)
+  {
+    sketch.push_back(length);
+    sketch.push_back(radius);
+  }
+  return sketch;
+}
+
+double SketchDistance(const std::vector<double>& first, const std::vector<double>& second)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    sum += std::abs(first[i] - second[i]);
+  }
+  return sum;
+}
+
+std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource)
+{
+  const int n = static_cast<int>(sketches.size());
+  std::set<std::pair<int, int>> pairs;
+  const auto add = [&](int a, int b)
+  {
+    if (meshOfShape[a] != meshOfShape[b] && !(isSource[a] && isSource[b]))
+    {
+      pairs.insert({ std::min(a, b), std::max(a, b) });
+    }
+  };
+  const std::set<int> meshes(meshOfShape.begin(), meshOfShape.end());
+  if (meshes.size() <= static_cast<std::size_t>(SmallCollection))
+  {
+    for (int a = 0; a < n; ++a)
+    {
+      for (int b = a + 1; b < n; ++b)
+      {
+        add(a, b);
+      }
+    }
+    return { pairs.begin(), pairs.end() };
+  }
+  for (int a = 0; a < n; ++a)
+  {
+    if (isSource[a])
+    {
+      continue;
+    }
+    for (const bool ofSources : { false, true })
+    {
+      std::vector<std::pair<double, int>> others;
+      for (int b = 0; b < n; ++b)
+      {
+        if (meshOfShape[a] != meshOfShape[b] && isSource[b] == ofSources)
+        {
+          others.emplace_back(SketchDistance(sketches[a], sketches[b]), b);
+        }
+      }
+      const std::size_t kept = std::min(NumberOfNeighbors, others.size());
+      std::partial_sort(others.begin(), others.begin() + kept, others.end());
+      for (std::size_t i = 0; i < kept; ++i)
+      {
+        add(a, others[i].second);
+      }
+    }
+  }
+  AddSpanningTree(sketches, add);
+  return { pairs.begin(), pairs.end() };
+}
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_PairSelection_h
+#define marrow_PairSelection_h
+
+#include "Skeleton.h"
+
+#include <utility>
+#include <vector>
+
+namespace marrow
+{
+/// A skeleton in a few numbers: how many loops and terminals it has, and how long and how thick the
+/// branches that end at terminals are, the longest first. Skeletons that match at little cost have
+/// sketches that are near each other.
+std::vector<double> SketchOf(const Skeleton& skeleton);
+
+/// How far two sketches are apart.
+double SketchDistance(const std::vector<double>& first, const std::vector<double>& second);
+
+/// In a collection of at most so many meshes all pairs are worth it.
+inline constexpr int SmallCollection = 24;
+
+/// Which shapes are to be matched with which: pairs of their numbers, the smaller first, ascending. In a
+/// small collection all of different meshes. In a larger one, which then takes time in proportion to the
+/// number of meshes: each shape and the nearest by sketch; each shape that is no source and the nearest
+/// sources; and a spanning tree, so that every shape is reached. Two sources tell each other nothing.
+std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource);
+}
+
+#endif

@@ -1,0 +1,499 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCollectionTransfer.h"
+
+#include "AnswerVote.h"
+#include "ArrayNames.h"
+#include "CollectedMeshes.h"
+#include "CollectedPairs.h"
+#include "FilterSupport.h"
+#include "LabelBridge.h"
+#include "LabelSpread.h"
+#include "MeshBridge.h"
+#include "PairSelection.h"
+#include "SegmentationTransfer.h"
+#include "SideTransfer.h"
+
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkCollectionTransfer);
+
+namespace
+{
+/// A leaf of the tree, and what comes of it.
+struct Leaf
+{
+  vtkDataObject* Data = nullptr;
+  vtkPolyData* Mesh = nullptr; ///< null if it is none, or cannot be used
+  std::string Name;
+  std::vector<int> Labels; ///< per cell; of a target those found
+  bool IsSource = false;
+  std::vector<double> Confidence; ///< per cell
+  std::shared_ptr<const marrow::CollectedMesh> Collected;
+  int Source = -1; ///< the leaf that counts most for it
+  double Against = 0.0;
+  double MeanConfidence = 0.0;
+  bool IsWholeAlignment = false;
+  std::string Note;
+};
+
+/// A body of a leaf, as one shape of the collection.
+struct ShapeOfLeaf
+{
+  int Leaf = 0;
+  int Body = 0;
+  std::shared_ptr<const marrow::CollectionShape> Shape;
+  std::vector<int> Labels; ///< per triangle; empty: not known
+};
+
+std::vector<Leaf> LeavesOf(vtkDataObjectTree* tree)
+{
+  std::vector<Leaf> leaves;
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+  iterator.TakeReference(tree->NewTreeIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    Leaf leaf;
+    leaf.Data = iterator->GetCurrentDataObject();
+    leaf.Mesh = vtkPolyData::SafeDownCast(leaf.Data);
+    leaf.Name = "block " + std::to_string(iterator->GetCurrentFlatIndex());
+    if (iterator->HasCurrentMetaData() &&
+      iterator->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME()))
+    {
+      leaf.Name = iterator->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME());
+    }
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+
+void AddNote(Leaf& leaf, const std::string& note)
+{
+  leaf.Note += (leaf.Note.empty() ? "" : " ") + note;
+}
+
+/// The bodies of all leaves, in an order that their contents alone give.
+std::vector<ShapeOfLeaf> ShapesOf(const std::vector<Leaf>& leaves)
+{
+  std::vector<ShapeOfLeaf> shapes;
+  for (std::size_t l = 0; l < leaves.size(); ++l)
+  {
+    const Leaf& leaf = leaves[l];
+    for (std::size_t b = 0; leaf.Mesh && b < leaf.Collected->Shapes.size(); ++b)
+    {
+      ShapeOfLeaf shape;
+      shape.Leaf = static_cast<int>(l);
+      shape.Body = static_cast<int>(b);
+      // It lives as long as what it is a part of.
+      shape.Shape = { leaf.Collected, leaf.Collected->Shapes[b].get() };
+      if (leaf.IsSource)
+      {
+        const marrow::PreparedSurface& surface = leaf.Collected->Side.Surface;
+        shape.Labels = marrow::LabelsOfBody(surface, surface.Bodies[b], leaf.Labels);
+      }
+      shapes.push_back(std::move(shape));
+    }
+  }
+  std::stable_sort(shapes.begin(), shapes.end(),
+    [](const ShapeOfLeaf& a, const ShapeOfLeaf& b)
+    { return std::tie(a.Shape->Key, a.Labels) < std::tie(b.Shape->Key, b.Labels); });
+  return shapes;
+}
+
+std::vector<std::pair<int, int>> SelectPairsOf(const std::vector<ShapeOfLeaf>& shapes)
+{
+  std::vector<std::vector<double>> sketches;
+  std::vector<int> leafOfShape;
+  std::vector<bool> isSource;
+  for (const ShapeOfLeaf& shape : shapes)
+  {
+    sketches.push_back(marrow::SketchOf(shape.Shape->Fine.Skeleton));
+    leafOfShape.push_back(shape.Leaf);
+    isSource.push_back(!shape.Labels.empty());
+  }
+  return marrow::SelectPairs(sketches, leafOfShape, isSource);
+}
+
+void SetMeanConfidence(Leaf& leaf)
+{
+  const marrow::WorkingSurface& working = leaf.Collected->Side.Surface.Working;
+  const std::vector<int>& cells = leaf.Collected->Side.Surface.CellOfPolygon;
+  double sum = 0.0;
+  double total = 0.0;
+  for (int t = 0; t < working.Full.NumberOfTriangles(); ++t)
+  {
+    const int polygon = working.CellOfFullTriangle[t];
+    if (polygon >= 0)
+    {
+      const double area = working.Full.Area(t);
+      sum += area * leaf.Confidence[cells[polygon]];
+      total += area;
+    }
+  }
+  leaf.MeanConfidence = total > 0.0 ? sum / total : 0.0;
+}
+
+/// Brings what the bodies got to the cells of their leaves.
+void Collect(const std::vector<ShapeOfLeaf>& shapes,
+  const std::vector<marrow::SpreadLabels>& spread, std::vector<Leaf>& leaves)
+{
+  struct OfWorking
+  {
+    std::vector<int> Labels;
+    std::vector<double> Confidence;
+    double Area = 0.0;
+  };
+  std::vector<OfWorking> ofLeaves(leaves.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    Leaf& leaf = leaves[shapes[s].Leaf];
+    if (leaf.IsSource)
+    {
+      continue;
+    }
+    const marrow::PreparedSurface& surface = leaf.Collected->Side.Surface;
+    OfWorking& working = ofLeaves[shapes[s].Leaf];
+    working.Labels.resize(surface.Working.Mesh.Triangles.size());
+    working.Confidence.resize(surface.Working.Mesh.Triangles.size());
+    const marrow::Body& body = surface.Bodies[shapes[s].Body];
+    for (std::size_t t = 0; t < spread[s].Labels.size(); ++t)
+    {
+      working.Labels[body.OriginalTriangle[t]] = spread[s].Labels[t];
+      working.Confidence[body.OriginalTriangle[t]] = spread[s].Confidence[t];
+    }
+    leaf.IsWholeAlignment = leaf.IsWholeAlignment || spread[s].IsWholeAlignment;
+    if (shapes[s].Body == 0 && spread[s].Source >= 0)
+    {
+      leaf.Source = shapes[spread[s].Source].Leaf;
+      leaf.Against = spread[s].Against;
+    }
+  }
+  for (std::size_t l = 0; l < leaves.size(); ++l)
+  {
+    Leaf& leaf = leaves[l];
+    if (!leaf.Mesh)
+    {
+      continue;
+    }
+    if (leaf.IsSource)
+    {
+      leaf.Confidence.assign(leaf.Labels.size(), 1.0);
+      leaf.MeanConfidence = 1.0;
+      continue;
+    }
+    marrow::CellLabels ofCells = marrow::ToCells(
+      leaf.Collected->Side.Surface, ofLeaves[l].Labels, ofLeaves[l].Confidence);
+    leaf.Labels = std::move(ofCells.Labels);
+    leaf.Confidence = std::move(ofCells.Confidence);
+    SetMeanConfidence(leaf);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> LabelledMesh(const Leaf& leaf, vtkAbstractArray* segmentNames)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(leaf.Mesh);
+  marrow::SetIntArray(output->GetCellData(), marrow::names::SegmentId, leaf.Labels);
+  output->GetCellData()->SetActiveScalars(marrow::names::SegmentId);
+  // Viewers prefer point scalars to cell scalars.
+  output->GetPointData()->SetActiveScalars(nullptr);
+  marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, leaf.Confidence);
+  if (segmentNames && !leaf.IsSource)
+  {
+    output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
+    output->GetFieldData()->AddArray(segmentNames);
+  }
+  marrow::WriteNote(leaf.Collected->Side.Surface, output);
+  return output;
+}
+
+void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
+{
+  vtkNew<vtkStringArray> block;
+  block->SetName("Block");
+  vtkNew<vtkUnsignedCharArray> isSource;
+  isSource->SetName("IsSource");
+  vtkNew<vtkStringArray> source;
+  source->SetName("Source");
+  vtkNew<vtkDoubleArray> confidence;
+  confidence->SetName("Confidence");
+  vtkNew<vtkDoubleArray> against;
+  against->SetName("Against");
+  vtkNew<vtkStringArray> note;
+  note->SetName("Note");
+  for (const Leaf& leaf : leaves)
+  {
+    block->InsertNextValue(leaf.Name);
+    isSource->InsertNextValue(leaf.IsSource ? 1 : 0);
+    source->InsertNextValue(leaf.Source >= 0 ? leaves[leaf.Source].Name : "");
+    confidence->InsertNextValue(leaf.MeanConfidence);
+    against->InsertNextValue(leaf.Against);
+    note->InsertNextValue(leaf.Note);
+  }
+  table->Initialize();
+  for (vtkAbstractArray* column : { static_cast<vtkAbstractArray*>(block.Get()),
+         static_cast<vtkAbstractArray*>(isSource.Get()),
+         static_cast<vtkAbstractArray*>(source.Get()),
+         static_cast<vtkAbstractArray*>(confidence.Get()),
+         static_cast<vtkAbstractArray*>(against.Get()),
+         static_cast<vtkAbstractArray*>(note.Get()) })
+  {
+    table->AddColumn(column);
+  }
+}
+}
+
+/// What does not depend on labels, kept as long as the meshes are the same.
+struct vtkCollectionTransfer::Memory
+{
+  marrow::CollectedMeshes Meshes;
+  marrow::CollectedPairs Pairs;
+};
+
+vtkCollectionTransfer::vtkCollectionTransfer()
+  : Remembered(new Memory)
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, marrow::names::SegmentId);
+}
+
+vtkCollectionTransfer::~vtkCollectionTransfer()
+{
+  this->SetCacheFolder(nullptr);
+}
+
+int vtkCollectionTransfer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
+}
+
+int vtkCollectionTransfer::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObjectTree" : "vtkTable");
+  return 1;
+}
+
+int vtkCollectionTransfer::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(info);
+  if (input && (!output || !output->IsA(input->GetClassName())))
+  {
+    vtkSmartPointer<vtkDataObject> tree;
+    tree.TakeReference(input->NewInstance());
+    info->Set(vtkDataObject::DATA_OBJECT(), tree);
+  }
+  vtkInformation* ofTable = outputVector->GetInformationObject(1);
+  if (!vtkTable::GetData(ofTable))
+  {
+    ofTable->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
+  }
+  return 1;
+}
+
+int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* input = vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(inputVector[0]));
+  auto* output = vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 0));
+  output->CopyStructure(input);
+  std::vector<Leaf> leaves = LeavesOf(input);
+  if (leaves.empty() &&
+    vtkStreamingDemandDrivenPipeline::GetUpdatePiece(outputVector->GetInformationObject(0)) > 0)
+  {
+    return 1; // All is with the first process.
+  }
+  const auto warn = [this](Leaf& leaf, const std::string& warning)
+  {
+    AddNote(leaf, warning);
+    vtkWarningMacro(<< leaf.Name << ": " << warning);
+  };
+
+  const char* given = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  const std::string name = given ? given : marrow::names::SegmentId;
+  std::vector<vtkPolyData*> meshes;
+  std::vector<int> leafOfMesh;
+  std::set<int> differentLabels;
+  for (std::size_t l = 0; l < leaves.size(); ++l)
+  {
+    Leaf& leaf = leaves[l];
+    if (!leaf.Mesh)
+    {
+      warn(leaf, std::string("it is a ") + leaf.Data->GetClassName() +
+          ", not a vtkPolyData, and is left as it is: extract its surface first.");
+      continue;
+    }
+    if (vtkDataArray* array = leaf.Mesh->GetCellData()->GetArray(name.c_str()))
+    {
+      const std::string error =
+        marrow::ToLabels(array, leaf.Mesh->GetNumberOfCells(), "cell", leaf.Labels);
+      if (!error.empty())
+      {
+        warn(leaf, error);
+        leaf.Mesh = nullptr;
+        continue;
+      }
+      leaf.IsSource = true;
+    }
+    meshes.push_back(leaf.Mesh);
+    leafOfMesh.push_back(static_cast<int>(l));
+  }
+  std::vector<std::shared_ptr<const marrow::CollectedMesh>> collected;
+  if (!this->Remembered->Meshes.Collect(meshes, collected, marrow::ProgressOf(this, 0.0, 0.2)))
+  {
+    return 1;
+  }
+  bool isAnySource = false;
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+  {
+    Leaf& leaf = leaves[leafOfMesh[m]];
+    leaf.Collected = collected[m];
+    if (!collected[m]->Error.empty())
+    {
+      warn(leaf, collected[m]->Error);
+      leaf.Mesh = nullptr;
+      continue;
+    }
+    const std::string mended = collected[m]->Side.Surface.Working.Sentence();
+    if (!mended.empty())
+    {
+      AddNote(leaf, mended + ".");
+    }
+    isAnySource = isAnySource || leaf.IsSource;
+    differentLabels.insert(leaf.Labels.begin(), leaf.Labels.end());
+  }
+  if (!isAnySource)
+  {
+    vtkErrorMacro(<< "No mesh of the collection has the cell array \"" << name
+                  << "\" of segments: label at least one, or choose another array with "
+                     "SetInputArrayToProcess.");
+    return 0;
+  }
+  if (differentLabels.size() > static_cast<std::size_t>(marrow::MostPieces))
+  {
+    vtkErrorMacro(<< "The labelled meshes have " << differentLabels.size()
+                  << " different segments, more than " << marrow::MostPieces
+                  << ": give equal segments of different meshes equal numbers.");
+    return 0;
+  }
+
+  const std::vector<ShapeOfLeaf> shapes = ShapesOf(leaves);
+  const std::string folder = this->CacheFolder ? this->CacheFolder : "";
+  std::vector<marrow::CollectionLink> links;
+  std::vector<marrow::CollectedPairs::Ends> ends;
+  for (const auto& [first, second] : SelectPairsOf(shapes))
+  {
+    marrow::CollectionLink link;
+    link.Shapes = { first, second };
+    links.push_back(link);
+    ends.emplace_back(shapes[first].Shape, shapes[second].Shape);
+  }
+  std::vector<marrow::ShapePair*> pairs;
+  if (!this->Remembered->Pairs.Collect(ends, folder, pairs, marrow::ProgressOf(this, 0.2, 0.6)))
+  {
+    return 1;
+  }
+  for (std::size_t i = 0; i < links.size(); ++i)
+  {
+    links[i].Pair = pairs[i];
+  }
+  std::vector<const marrow::CollectionShape*> ofGraph;
+  std::vector<int> meshOfShape;
+  std::vector<std::vector<int>> labelsOfGraph;
+  for (const ShapeOfLeaf& shape : shapes)
+  {
+    ofGraph.push_back(shape.Shape.get());
+    meshOfShape.push_back(shape.Leaf);
+    labelsOfGraph.push_back(shape.Labels);
+  }
+  marrow::CollectionGraph graph(
+    std::move(ofGraph), meshOfShape, std::move(labelsOfGraph), std::move(links));
+  if (!marrow::VoteOnAnswers(graph, marrow::ProgressOf(this, 0.6, 0.65)))
+  {
+    return 1;
+  }
+  const bool isCarried = marrow::CarryMaps(graph, marrow::ProgressOf(this, 0.65, 0.95));
+  if (!folder.empty())
+  {
+    this->Remembered->Pairs.Save(folder);
+  }
+  if (!isCarried)
+  {
+    return 1;
+  }
+  const std::vector<marrow::SpreadLabels> spread =
+    marrow::SpreadOverGraph(graph, marrow::ProgressOf(this, 0.95, 1.0));
+  if (marrow::IsAborted(this))
+  {
+    return 1;
+  }
+  Collect(shapes, spread, leaves);
+
+  vtkAbstractArray* segmentNames = nullptr;
+  for (const Leaf& leaf : leaves)
+  {
+    if (leaf.IsSource && leaf.Mesh && !segmentNames)
+    {
+      segmentNames =
+        leaf.Mesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName);
+    }
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+  iterator.TakeReference(input->NewTreeIterator());
+  iterator->InitTraversal();
+  for (Leaf& leaf : leaves)
+  {
+    if (leaf.Mesh && leaf.IsWholeAlignment)
+    {
+      warn(leaf, "the skeletons bring it and the labelled meshes together no better than their "
+                 "principal axes: they are aligned as wholes, and the segments are only as good as "
+                 "that.");
+    }
+    if (leaf.Mesh)
+    {
+      output->SetDataSet(iterator, LabelledMesh(leaf, segmentNames));
+    }
+    else
+    {
+      output->SetDataSet(iterator, leaf.Data);
+    }
+    iterator->GoToNextItem();
+  }
+  WriteTable(leaves, vtkTable::GetData(outputVector, 1));
+  return 1;
+}
+
+void vtkCollectionTransfer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CacheFolder: " << (this->CacheFolder ? this->CacheFolder : "(none)") << "\n";
+}

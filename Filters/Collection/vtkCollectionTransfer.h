@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCollectionTransfer
+ * @brief   labels all meshes of a collection from those that are labelled
+ *
+ * One labelled mesh and a folder of others of its kind, or a few labelled ones: the labels spread from all
+ * meshes to all others, so that the others correct what one pair gets wrong.
+ *
+ * Each mesh is made ready once, as by vtkSegmentationTransfer: its working surface, measures and skeleton.
+ * Then the skeletons are matched: all pairs of up to 24 meshes; of more, each mesh is matched with its eight
+ * nearest by a sketch of the skeleton (its loops, its terminals, lengths and radii of its limbs), with its
+ * eight nearest labelled ones, and along a spanning tree, so that time grows with the number of meshes and
+ * not with its square. A pair is matched once for both ways, and its ten best answers are carried out coarsely
+ * both ways, as vtkSegmentationTransfer does one way.
+ *
+ * The labels spread: every mesh without labels hears from the labelled ones it is matched with, then also
+ * from the others, in two rounds. A teller counts exp(-4 e) for e = all that speaks against the answer (the
+ * cost of the matching, differing thickness, uneven cover), half of that where the meshes are aligned as
+ * wholes; after each round the shares of the labels are raised to the power of 1.5. At first this is done
+ * coarsely, and every pair's answer is chosen anew, twice: that one against which least is to be said, what
+ * it carries differing from what all others say being one thing more. With the answers so chosen the labels
+ * spread once more at the resolution of the working surfaces, from all labelled meshes and the eight others
+ * that count most, and one cut for each mesh settles where the boundaries run: where the shares leave it
+ * open, in concave places, the more so the more the labelled meshes' own boundaries do.
+ *
+ * Equal numbers are equal segments on all labelled meshes. What was found out about meshes and pairs is
+ * kept as long as they are the same: if labels are added or corrected, only what depends on labels is
+ * computed anew. With CacheFolder it is also kept in files.
+ *
+ * Port in, 0: a vtkMultiBlockDataSet or any other tree of datasets. Each leaf is a vtkPolyData: any mesh
+ * will do. A leaf with the cell array "SegmentId" (any integers), or that set by
+ * SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name), is labelled.
+ *
+ * Ports out:
+ * - 0, the same tree: the meshes with their points, cells and arrays, and the cell arrays
+ *   - SegmentId (int): the segment, on a labelled mesh as it was; the only active scalars;
+ *   - SegmentConfidence (double in [0,1]): the share that all tellers together give the face's segment,
+ *     smaller near boundaries, times how far the best way from a labelled mesh is to be trusted; 1 on
+ *     a labelled mesh;
+ *   and the field array SegmentName of the first labelled mesh that has it. What cannot be used (see the
+ *   warnings) goes through as it is;
+ * - 1, a vtkTable with a row for each leaf in their order: Block (string, its name; "block 3" without one),
+ *   IsSource (unsigned char, 1 where it was labelled), Source (string, the labelled mesh that counts most
+ *   for it), Confidence (double, mean of SegmentConfidence over the area), Against (double, what speaks
+ *   against the answer taken of that source, 0 to 3), Note (string, what was mended and what went wrong).
+ *
+ * Errors: no leaf that can be used is labelled; more than 500 different segments.
+ * Warnings, each of which names the leaf: one that is no vtkPolyData, has no face, points that are not
+ * finite, or a segment array that is not one integer a cell; meshes that are aligned as wholes with all
+ * labelled ones.
+ *
+ * The result is the same on any number of threads, in whatever order the leaves come, and however each of
+ * them is placed, turned, scaled and numbered.
+ *
+ * @sa vtkSegmentationTransfer vtkSegmentationFusion
+ */
+#ifndef vtkCollectionTransfer_h
+#define vtkCollectionTransfer_h
+
+#include "MarrowCollectionModule.h" // for export macro
+#include "vtkDataObjectAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+class MARROWCOLLECTION_EXPORT vtkCollectionTransfer : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkCollectionTransfer* New();
+  vtkTypeMacro(vtkCollectionTransfer, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * A folder, which must be there, in which what is found out about each pair of meshes is kept, in a file
+   * named by the contents of both: another run takes it from there, one that was stopped goes on. Files
+   * that are damaged or cannot be written are as good as none. Default none: only the filter itself
+   * remembers.
+   */
+  vtkSetFilePathMacro(CacheFolder);
+  vtkGetFilePathMacro(CacheFolder);
+  ///@}
+
+protected:
+  vtkCollectionTransfer();
+  ~vtkCollectionTransfer() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkCollectionTransfer(const vtkCollectionTransfer&) = delete;
+  void operator=(const vtkCollectionTransfer&) = delete;
+
+  char* CacheFolder = nullptr;
+
+  struct Memory;
+  std::unique_ptr<Memory> Remembered;
+};
+
+#endif

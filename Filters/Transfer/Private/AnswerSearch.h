@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_AnswerSearch_h
+#define marrow_AnswerSearch_h
+
+#include "AnswerChoice.h"
+#include "Progress.h"
+#include "Skeleton.h"
+
+#include <vector>
+
+namespace marrow
+{
+/// The answers to how two skeletons match, the cheapest first, at most MostAnswers; at least one, which
+/// may match nothing. None if `progress` asked to stop.
+std::vector<Answer> FindAnswers(
+  const Skeleton& source, const Skeleton& target, const Progress& progress);
+
+/// The same answer with the target for the source.
+Answer Turned(const Answer& answer);
+}
+
+#endif
