@@ -3,7 +3,7 @@
 import sys
 
 from vtkmodules.vtkIOImage import vtkPNGReader
-from wrapped.MarrowRendering import vtkLabelColors
+from marrow.vtk import vtkLabelColors
 
 SEGMENTS = 8  # of a quadruped
 LEAST_PIXELS = 400  # more than in a legend

@@ -3,7 +3,7 @@
 import os
 
 from paraview import simple
-from wrapped.MarrowRendering import vtkLabelColors
+from marrow.vtk import vtkLabelColors
 
 import plugin
 from plugin import expect, expect_between, expect_equal, fetch, values
