@@ -9,8 +9,8 @@ packages=(
   libvtk9-dev python3-vtk9 mpi-default-dev libeigen3-dev libboost-graph-dev libcli11-dev
   # the Python package
   python3-numpy
-  # tests
-  libgtest-dev
+  # tests; what cpack makes Debian packages with
+  libgtest-dev dpkg-dev file
   # pictures without a display, and the examples' recipes
   xvfb xauth libgl1-mesa-dri python3
   "$@")

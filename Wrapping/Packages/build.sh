@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 folder=$(realpath --canonicalize-missing "${1:-build-packages/debian}")
-.ci/install-packages.sh dpkg-dev file
+.ci/install-packages.sh
 mkdir -p "$folder"
 cmake --preset packages
 cmake --build build-packages
