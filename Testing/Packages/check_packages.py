@@ -47,6 +47,8 @@ def expected():
         "python3-marrow": [
             *[f"{PYTHON}/{file.relative_to(python)}" for file in python.rglob("*.py")],
             f"{PYTHON}/py.typed", f"{PYTHON}/_version.py",
+            *[f"usr/lib/python3/dist-packages/marrow_vtk-{VERSION}.dist-info/{file}"
+              for file in ("METADATA", "entry_points.txt")],
             *[f"{PYTHON}/vtk/{module}.so" for module in modules()]],
     }
 

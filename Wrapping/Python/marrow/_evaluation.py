@@ -65,9 +65,18 @@ def evaluate(
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if the mesh or the segments cannot be used; the class vtkSegmentationMetrics says
-    the rest.
+    Returns
+    -------
+    Evaluation
+        Numbers only; see also the class vtkSegmentationMetrics.
 
+    Raises
+    ------
+    Error
+        If the mesh or the segments cannot be used.
+
+    Examples
+    --------
     >>> import marrow
     >>> creature = marrow.creature("biped")
     >>> marrow.evaluate(creature, creature.segments).label_accuracy

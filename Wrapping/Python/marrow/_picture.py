@@ -45,7 +45,7 @@ def render(
 ) -> Array:
     """Draws meshes side by side, seen from the same side; equal segments have equal colours.
 
-    Returns the picture, (height, width, 3) uint8, the top row first. Needs an X display.
+    Needs an X display.
 
     Parameters
     ----------
@@ -58,24 +58,40 @@ def render(
         Name of an array to colour the surfaces by, with a scalar bar: "MSP", "SegmentConfidence".
     color_skeleton_by : "node_type", "correspondence", "branch" or "label"
         What the skeletons' colours tell.
-    show_links : bool
+    show_links : bool, default: False
         Lines between the matched nodes of the first skeleton and the others.
-    share_range : bool
+    share_range : bool, default: False
         One range of colours for all, so that equal colours are equal values.
-    view_up, view_direction : 3 floats
-        What is up in the first mesh; from where it is seen (its broad side, if not given).
-    azimuth, elevation : float, degrees
-        Turn of the eye to the side and upwards.
-    align : bool
+    view_up : 3 floats, default: (0, 1, 0)
+        What is up in the first mesh.
+    view_direction : 3 floats, default: (0, 0, 0)
+        From where the first mesh is seen; (0, 0, 0): from its broad side.
+    azimuth : float, degrees, default: 25
+        Turn of the eye to the side.
+    elevation : float, degrees, default: 12
+        Turn of the eye upwards.
+    align : bool, default: True
         Turn the other meshes to stand like the first.
-    surface_opacity : float, 0 to 1
+    surface_opacity : float, 0 to 1, default: 1
         Of all surfaces; else only those round a skeleton are transparent.
-    label_array_name : str
+    label_array_name : str, default: "SegmentId"
         Name of the cell array with the segments.
-    tile_width, tile_height : int, 16 to 4096, pixels
-    columns : int
+    tile_width, tile_height : int, 16 to 4096, pixels, default: 400
+    columns : int, default: 0
         Meshes in a row; 0: all.
 
+    Returns
+    -------
+    (height, width, 3) uint8
+        The picture, the top row first.
+
+    Raises
+    ------
+    Error
+        If there is no display, a mesh cannot be drawn, or the path does not end in .png.
+
+    Examples
+    --------
     >>> import marrow
     >>> marrow.render(marrow.creature("snake"), tile_width=320, tile_height=200).shape
     (200, 320, 3)
