@@ -21,7 +21,7 @@
  *
  * A file appears under its name when it is complete, and not before. Errors: no file name, or none with
  * a known ending; cells that are no polygons, for formats not of VTK; segments that are no integers; the
- * file cannot be written. Write() then returns 0 and GetErrorCode() tells the kind.
+ * file cannot be written. Write() then returns 0 and GetErrorCode() returns the kind.
  */
 #ifndef vtkMarrowMeshWriter_h
 #define vtkMarrowMeshWriter_h
@@ -46,7 +46,7 @@ public:
   ///@}
 
   /**
-   * The endings of the names of files that can be written, in small letters, separated by spaces.
+   * The extensions of files that can be written, in lower case, separated by spaces.
    */
   static const char* GetFileExtensions();
 

@@ -7,7 +7,7 @@
 
 /**
  * @class vtkMeanCurvatureSkeleton
- * @brief CGAL's mean curvature flow skeleton of a mesh, and φ: the peer of vtkMSPSkeleton
+ * @brief CGAL's mean curvature flow skeleton of a mesh, and φ: the baseline for vtkMSPSkeleton
  *
  * The surface is contracted by its mean curvature flow, drawn to the medial axis, until it is a thin
  * thread, which is collapsed to a curve: A. Tagliasacchi, I. Alhashim, M. Olson, H. Zhang, "Mean

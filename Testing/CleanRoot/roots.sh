@@ -1,8 +1,11 @@
-# What the scripts of this folder share: clean roots of Debian 12, for `source`. They need root and network.
+# What the scripts of this folder share: clean roots of Debian 12, or of $suite, for `source`. They need root
+# and network.
 .ci/install-packages.sh debootstrap
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-debootstrap --variant=minbase bookworm "$work/base" http://deb.debian.org/debian
+debootstrap --variant=minbase "${suite:-bookworm}" "$work/base" http://deb.debian.org/debian
+# These roots are thrown away, so dpkg need not wait for the disk.
+echo force-unsafe-io >"$work/base/etc/dpkg/dpkg.cfg.d/force-unsafe-io"
 
 # Makes $work/root, instead of the one before.
 fresh_root()

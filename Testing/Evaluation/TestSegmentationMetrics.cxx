@@ -300,7 +300,7 @@ TEST(SegmentationMetrics, MissingReferenceIsAnError)
 
 TEST(SegmentationMetrics, APolygonIsOneFaceAndABoundaryDoesNotEndAtASeam)
 {
-  // The sides of a box round z, of four quads each, and the same cut into triangles. Of the quads every
+  // The sides of a box around z, of four quads each, and the same cut into triangles. Of the quads every
   // corner is there for itself, as where a texture has a seam.
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> polygons;

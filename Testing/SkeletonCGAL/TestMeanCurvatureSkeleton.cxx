@@ -169,7 +169,7 @@ TEST(MeanCurvatureSkeleton, PointsWithoutTrianglesHaveNoNode)
   }
   const test::SkeletonResult result = Skeletonize(test::ToPolyData(cylinder));
   EXPECT_EQ(result.NodeOfVertex[0], -1);
-  // The numbers of the others are not shifted: φ lies round its node.
+  // The numbers of the others are not shifted: φ lies around its node.
   for (int v = 1; v < cylinder.NumberOfVertices(); ++v)
   {
     const int node = result.NodeOfVertex[v];

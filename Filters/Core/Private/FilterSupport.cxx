@@ -28,7 +28,7 @@ bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
 
 Progress ProgressOf(vtkAlgorithm* filter, double from, double to)
 {
-  // Nobody sees smaller steps, and who watches may be slow.
+  // Throttled, as observers can be slow and nobody sees smaller steps.
   constexpr double leastStep = 0.001;
   return [filter, from, to, told = -1.0](double fraction) mutable
   {

@@ -71,7 +71,8 @@ int main(int argc, char** argv)
   app.add_option("--category", options.Categories, "Only these categories");
   const std::map<std::string, SkeletonKind> skeletons = { { "msp", SkeletonKind::MSP },
     { "curvature", SkeletonKind::MeanCurvature } };
-  app.add_option("--skeleton", options.Method.Skeleton, "msp (default), or the peer: curvature")
+  app
+    .add_option("--skeleton", options.Method.Skeleton, "msp (default), or the baseline: curvature")
     ->transform(CLI::CheckedTransformer(skeletons))
     ->check(
       [](const std::string& kind)
@@ -85,7 +86,7 @@ int main(int argc, char** argv)
     { "electors", MatcherKind::Electors } };
   app
     .add_option(
-      "--matcher", options.Method.Matcher, "tree (default), or the peer: electors (voting)")
+      "--matcher", options.Method.Matcher, "tree (default), or the baseline: electors (voting)")
     ->transform(CLI::CheckedTransformer(matchers));
   const std::map<std::string, LastStage> stages = { { "skeleton", LastStage::Skeleton },
     { "correspondence", LastStage::Correspondence }, { "transfer", LastStage::Transfer } };

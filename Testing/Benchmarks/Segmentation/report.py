@@ -106,7 +106,7 @@ def plot(figure, caption):
 
 
 def strips(summary, pairs, column, caption):
-    """All pairs of each category in a row of their own, with their mean and the peers."""
+    """All pairs of each category in a row of their own, with their mean and the baselines."""
     rows = [row for row in summary if any(pair["category"] == row["category"] for pair in pairs)]
     figure, axes = pyplot.subplots(figsize=(9, 1 + 0.3 * len(rows)))
     for height, row in enumerate(rows):
@@ -115,9 +115,9 @@ def strips(summary, pairs, column, caption):
         axes.plot(values, [height + 0.15 * (i % 3 - 1) for i in range(len(values))], ".", color="C0", alpha=0.4,
                   label="a pair")
         axes.plot(row[column], height, "k|", markersize=14, markeredgewidth=2.5, label="mean")
-        for peer, color, label in (("humans", "C2", "humans among themselves"),
+        for baseline, color, label in (("humans", "C2", "humans among themselves"),
                                    ("rigid", "C3", "rigid alignment, nearest face")):
-            value = row.get(f"{peer}_{column}", math.nan)
+            value = row.get(f"{baseline}_{column}", math.nan)
             if not math.isnan(value):
                 axes.plot(value, height, "D", color=color, fillstyle="none", label=label)
     axes.set(xlabel=caption, xlim=(0, None), yticks=range(len(rows)), yticklabels=[row["category"] for row in rows])

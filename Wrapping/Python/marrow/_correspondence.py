@@ -124,7 +124,7 @@ def correspond(
     merge_distance : float, 0 to 1, default: 0.075
         Junctions no further apart may be merged; over the diagonal of the bounding box.
     cluster_distance : float, 0 to 10, default: 0.1
-        Branches of a junction are alike up to this difference of their thickness.
+        Branches of a junction are similar up to this difference of their thickness.
     descriptor_pieces : int, 1 to 256, default: 8
         In how many pieces the thickness along a branch is described.
     centricity_tolerance : float, 0 to 1, default: 0.4

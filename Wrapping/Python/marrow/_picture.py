@@ -73,7 +73,7 @@ def render(
     align : bool, default: True
         Turn the other meshes to stand like the first.
     surface_opacity : float, 0 to 1, default: 1
-        Of all surfaces; else only those round a skeleton are transparent.
+        Of all surfaces; else only those around a skeleton are transparent.
     label_array_name : str, default: "SegmentId"
         Name of the cell array with the segments.
     tile_width, tile_height : int, 16 to 4096, pixels, default: 400

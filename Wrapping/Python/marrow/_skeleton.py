@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""marrow.skeleton: vtkMSPSkeleton, and its peer vtkMeanCurvatureSkeleton."""
+"""marrow.skeleton: vtkMSPSkeleton, and its baseline vtkMeanCurvatureSkeleton."""
 from __future__ import annotations
 
 from dataclasses import dataclass

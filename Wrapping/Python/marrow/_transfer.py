@@ -85,7 +85,7 @@ def transfer(
     segments : (m,) int, or the name of a cell array
         The segment of each face of the source. Default: the source's own, the array "SegmentId".
     strict_boundaries : bool, default: False
-        Carry only the boundaries of the paper, those round one branch.
+        Carry only the boundaries of the paper, those around one branch.
     theta : float, 1 to 100, default: 1.5
         How far a change of thickness must stand out to be a landmark on a branch.
     kernel : float, 0.005 to 0.5, default: 0.05
