@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterSupport.h"
 
+#include "VTKVersions.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkVersionMacros.h>
 
 namespace marrow
 {
 bool IsAborted(vtkAlgorithm* filter)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
-  return filter->CheckAbort();
-#else
-  return filter->GetAbortExecute() != 0;
-#endif
+  return versions::CheckAbort(filter);
 }
 
 bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
