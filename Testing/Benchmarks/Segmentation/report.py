@@ -120,12 +120,14 @@ def strips(summary, pairs, column, caption):
             value = row.get(f"{baseline}_{column}", math.nan)
             if not math.isnan(value):
                 axes.plot(value, height, "D", color=color, fillstyle="none", label=label)
-    axes.set(xlabel=caption, xlim=(0, None), yticks=range(len(rows)), yticklabels=[row["category"] for row in rows])
+    axes.set(xlabel=caption, xlim=(0, None), yticks=range(len(rows)),
+             yticklabels=[row["category"] for row in rows])
     axes.invert_yaxis()
     axes.grid(axis="x", alpha=0.3)
     handles, labels = axes.get_legend_handles_labels()
     once = dict(zip(labels, handles))
-    figure.legend(once.values(), once.keys(), ncol=4, loc="lower left", bbox_to_anchor=(0.1, 0.98), frameon=False)
+    figure.legend(once.values(), once.keys(), ncol=4, loc="lower left", bbox_to_anchor=(0.1, 0.98),
+                  frameon=False)
     return plot(figure, caption)
 
 
@@ -174,7 +176,7 @@ def pictures(data, results, pairs):
         import marrow
     except ImportError:
         return "<p>No pictures: the Python package marrow is not on the PYTHONPATH.</p>"
-    if not marrow.vtk.vtkSideBySideScene.HasDisplay():
+    if not marrow.vtk.vtkMarrowSideBySideScene.HasDisplay():
         return "<p>No pictures: there was no display to draw them on.</p>"
     return "\n".join(picture(marrow, data, results, pair) for pair in worst_pairs(pairs))
 
@@ -182,8 +184,10 @@ def pictures(data, results, pairs):
 def errors(results):
     found = [(row["category"] + f" {row['source']:.0f}" if row["source"] == row["target"] else name_of(row),
               row["error"]) for row in results if row["error"]]
+    if not found:
+        return "<p>None.</p>"
     return "<ul>" + "".join(
-        f"<li>{html.escape(f'{name}: {error}')}</li>\n" for name, error in found) + "</ul>" if found else "<p>None.</p>"
+        f"<li>{html.escape(f'{name}: {error}')}</li>\n" for name, error in found) + "</ul>"
 
 
 def main():
@@ -206,9 +210,9 @@ def main():
     sections["Errors"] = errors(meshes + pairs)
     method = (results / "method.txt").read_text().strip()
     introduction = (
-        f"<p>{len(pairs)} ordered pairs of {len(meshes)} meshes: the pieces of one mesh carried to another of its "
-        "category, all parameters at their defaults. The errors are means over the human segmentations of the target; "
-        "label accuracy is by area. Rows in bold are means over categories.</p>\n"
+        f"<p>{len(pairs)} ordered pairs of {len(meshes)} meshes: the pieces of one mesh carried to another of "
+        "its category, all parameters at their defaults. The errors are means over the human segmentations of "
+        "the target; label accuracy is by area. Rows in bold are means over categories.</p>\n"
         f"<p>Method: {html.escape(method)}.</p>\n")
     body = introduction + "\n".join(f"<h2>{title}</h2>\n{content}" for title, content in sections.items())
     (results / "report.html").write_text(PAGE.format(body=body), encoding="utf-8")
