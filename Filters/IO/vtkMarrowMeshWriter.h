@@ -4,7 +4,7 @@
  * @brief   write a mesh with its segments to a file
  *
  * The format follows from the name's ending, and with it where the segments go:
- * - .off: text; a colour per face, that of vtkLabelColors, or of the segment's name if that is one
+ * - .off: text; a colour per face, that of vtkMarrowLabelColors, or of the segment's name if that is one
  *   ("#ff0000"), and never the same for two segments;
  * - .ply: binary, little-endian; the face property SegmentId (int);
  * - .obj: text; a group per segment with the segment's name, or "segment_3" for number 3. Faces keep

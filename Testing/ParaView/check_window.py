@@ -3,7 +3,7 @@
 import sys
 
 from vtkmodules.vtkIOImage import vtkPNGReader
-from marrow.vtk import vtkLabelColors
+from marrow.vtk import vtkMarrowLabelColors
 
 SEGMENTS = 8  # of a quadruped
 LEAST_PIXELS = 400  # more than in a legend
@@ -16,7 +16,7 @@ scalars = reader.GetOutput().GetPointData().GetScalars()
 colors = []
 for label in range(SEGMENTS):
     rgb = [0.0, 0.0, 0.0]
-    vtkLabelColors.GetColor(label, rgb)
+    vtkMarrowLabelColors.GetColor(label, rgb)
     colors.append([c / max(rgb) for c in rgb])
 
 # Light makes a colour darker and leaves its proportions. Every fourth pixel is enough.

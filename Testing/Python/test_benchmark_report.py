@@ -79,7 +79,7 @@ class TestBenchmarkReport(unittest.TestCase):
         self.assertEqual(page.count("<img"), 3)  # the plots
         self.assertIn("there was no display", page)
 
-    @unittest.skipUnless(marrow.vtk.vtkSideBySideScene.HasDisplay(), "there is no display")
+    @unittest.skipUnless(marrow.vtk.vtkMarrowSideBySideScene.HasDisplay(), "there is no display")
     def test_worst_pairs_are_drawn_the_worst_first(self):
         stderr, page = self.report()
         self.assertEqual(stderr, "")

@@ -18,11 +18,11 @@ FUNCTIONS = [
      vtk.vtkSkeletonCorrespondence, set()),
     (marrow.transfer, _transfer.TransferParameters, vtk.vtkSegmentationTransfer, set()),
     (marrow.creature, _creature.CreatureParameters, vtk.vtkCreatureSource, {"shape"}),
-    (marrow.render, _picture.SceneParameters, vtk.vtkSideBySideScene, {"color_skeleton_by"}),
+    (marrow.render, _picture.SceneParameters, vtk.vtkMarrowSideBySideScene, {"color_skeleton_by"}),
 ]
-if hasattr(vtk, "vtkMeanCurvatureSkeleton"):
+if hasattr(vtk, "vtkMarrowMeanCurvatureSkeleton"):
     FUNCTIONS.append((marrow.mean_curvature_skeleton, _skeleton.MeanCurvatureSkeletonParameters,
-                      vtk.vtkMeanCurvatureSkeleton, set()))
+                      vtk.vtkMarrowMeanCurvatureSkeleton, set()))
 
 
 def properties_of(kind):
@@ -113,7 +113,7 @@ class TestParameters(unittest.TestCase):
             typing.get_type_hints(marrow.render)["color_skeleton_by"])[0])
         self.assertEqual(
             {name.upper() for name in colors},
-            {name for name in vars(vtk.vtkSkeletonGlyphs) if name.isupper()})
+            {name for name in vars(vtk.vtkMarrowSkeletonGlyphs) if name.isupper()})
 
     def test_wrong_ones(self):
         creature = marrow.creature("capsule")

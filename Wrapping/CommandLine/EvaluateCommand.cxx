@@ -4,8 +4,8 @@
 #include "Console.h"
 #include "MeshFiles.h"
 
+#include <vtkMarrowSegmentationMetrics.h>
 #include <vtkPolyData.h>
-#include <vtkSegmentationMetrics.h>
 #include <vtkTable.h>
 
 #include <nlohmann/json.hpp>
@@ -44,7 +44,7 @@ CLI::App* EvaluateCommand::Declare(CLI::App& marrow)
   app->footer(
     "CutDiscrepancy, HammingDistance (MissingRate, FalseAlarmRate), RandError and the consistency "
     "errors\nare those of the Princeton segmentation benchmark: 0 is best. LabelAccuracy is the "
-    "share of the area with\nequal ids: 1 is best. See vtkSegmentationMetrics.h.\n\n"
+    "share of the area with\nequal ids: 1 is best. See vtkMarrowSegmentationMetrics.h.\n\n"
     "Examples:\n"
     "  marrow evaluate cow.off --segments cow.seg --reference truth.seg\n"
     "  marrow evaluate cow.vtp --reference human_0.seg human_1.seg human_2.seg --json");
@@ -80,7 +80,7 @@ void EvaluateCommand::Run(Console& console)
 EvaluateCommand::Row EvaluateCommand::Compare(
   vtkPolyData* segmented, vtkPolyData* reference, const std::string& path, Console& console)
 {
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   metrics->SetInputData(0, segmented);
   metrics->SetInputData(1, reference);
   console.Update(metrics, path);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""marrow.render: vtkSideBySideScene."""
+"""marrow.render: vtkMarrowSideBySideScene."""
 from __future__ import annotations
 
 import os
@@ -96,7 +96,7 @@ def render(
     >>> marrow.render(marrow.creature("snake"), tile_width=320, tile_height=200).shape
     (200, 320, 3)
     """
-    if not vtk.vtkSideBySideScene.HasDisplay():
+    if not vtk.vtkMarrowSideBySideScene.HasDisplay():
         # VTK would end the process.
         raise Error(
             "render: there is no X display to draw with: set DISPLAY to one that is there, or put 'xvfb-run -a -s "
@@ -104,7 +104,7 @@ def render(
         )
     titles = _per_mesh("captions", captions, meshes)
     arrays = _per_mesh("surface_array", surface_array, meshes)
-    scene = vtk.vtkSideBySideScene()
+    scene = vtk.vtkMarrowSideBySideScene()
     set_parameters(scene, render, SceneParameters, parameters)
     if color_skeleton_by is not None:
         scene.SetColorSkeletonBy(_color_by(color_skeleton_by))
@@ -137,11 +137,11 @@ def _per_mesh(
 
 
 def _color_by(name: str) -> int:
-    choices = [key.lower() for key in vars(vtk.vtkSkeletonGlyphs) if key.isupper()]
+    choices = [key.lower() for key in vars(vtk.vtkMarrowSkeletonGlyphs) if key.isupper()]
     if name not in choices:
         raise Error(
             f"color_skeleton_by must be one of {', '.join(map(repr, choices))}, not {name!r}.")
-    return int(getattr(vtk.vtkSkeletonGlyphs, name.upper()))
+    return int(getattr(vtk.vtkMarrowSkeletonGlyphs, name.upper()))
 
 
 def _write_png(image: vtkImageData, name: str) -> None:

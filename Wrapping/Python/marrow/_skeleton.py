@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""marrow.skeleton: vtkMSPSkeleton, and its baseline vtkMeanCurvatureSkeleton."""
+"""marrow.skeleton: vtkMSPSkeleton, and its baseline vtkMarrowMeanCurvatureSkeleton."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -171,12 +171,12 @@ def mean_curvature_skeleton(
     Examples
     --------
     >>> import marrow
-    >>> if hasattr(marrow.vtk, "vtkMeanCurvatureSkeleton"):  # built with CGAL
+    >>> if hasattr(marrow.vtk, "vtkMarrowMeanCurvatureSkeleton"):  # built with CGAL
     ...     skeleton = marrow.mean_curvature_skeleton(marrow.creature("capsule"))
     ...     assert len(skeleton.terminals) >= 2
     """
     try:
-        algorithm = vtk.vtkMeanCurvatureSkeleton()
+        algorithm = vtk.vtkMarrowMeanCurvatureSkeleton()
     except AttributeError:
         raise Error("mean_curvature_skeleton: Marrow was built without CGAL.") from None
     set_parameters(
