@@ -2,6 +2,7 @@
 """Whether a picture of the screen shows a creature in the colours of its segments."""
 import sys
 
+import built_package  # noqa: F401
 from vtkmodules.vtkIOImage import vtkPNGReader
 from marrow.vtk import vtkMarrowLabelColors
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView's own Python has the package marrow, and it works beside the plugin."""
-import marrow
 from paraview import simple
 
 import plugin
+import marrow
 from plugin import expect_equal, fetch, values
 
 

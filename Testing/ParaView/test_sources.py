@@ -3,9 +3,9 @@
 import os
 
 from paraview import simple
-from marrow.vtk import vtkMarrowLabelColors
 
 import plugin
+from marrow.vtk import vtkMarrowLabelColors
 from plugin import expect, expect_between, expect_equal, fetch, values
 
 
