@@ -49,11 +49,11 @@ steps = []
 marrow.measure(camel, progress=steps.append)
 assert steps[-1] == 1.0
 
-from marrow.vtk import vtkMSPSkeleton, vtkSkeletonGlyphs
+from marrow.vtk import vtkMSPSkeleton, vtkMarrowSkeletonGlyphs
 
 algorithm = vtkMSPSkeleton()
 algorithm.SetInputData(camel.polydata)
-glyphs = vtkSkeletonGlyphs()
+glyphs = vtkMarrowSkeletonGlyphs()
 glyphs.SetInputConnection(algorithm.GetOutputPort(0))
 glyphs.Update()
 print(glyphs.GetOutput().GetNumberOfCells(), "triangles to draw the skeleton with")
