@@ -14,7 +14,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkTable.h>
 
 #include <filesystem>
@@ -79,7 +79,7 @@ void CollectionCommand::RequireOutput() const
   }
   files::RequireExtension(this->Report, { ".html" });
   files::RequireWritable(this->Report);
-  if (!vtkSideBySideScene::HasDisplay())
+  if (!vtkMarrowSideBySideScene::HasDisplay())
   {
     throw CommandError(
       "There is no X display to draw the report with: set DISPLAY to one that is there, or put "

@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstdio>
@@ -78,7 +78,7 @@ std::string DataAddress(vtkImageData* image)
 /// The source, the labels and the confidence in a row; the source first, so that the others stand like it.
 std::string Picture(const CollectionRow& row, vtkPolyData* source, vtkPolyData* mesh)
 {
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(320);
   scene->SetTileHeight(280);
   if (source)
