@@ -14,9 +14,9 @@
  * both ways, as vtkSegmentationTransfer does one way.
  *
  * The labels spread: every mesh without labels hears from the labelled ones it is matched with, then also
- * from the others, in two rounds. A teller counts exp(-4 e) for e = all that speaks against the answer (the
+ * from the others, in two rounds. A teller counts exp(-6 e) for e = all that speaks against the answer (the
  * cost of the matching, differing thickness, uneven cover), half of that where the meshes are aligned as
- * wholes; after each round the shares of the labels are raised to the power of 1.5. At first this is done
+ * wholes, and twice that if it is labelled; after each round the shares of the labels are raised to the power of 1.5. At first this is done
  * coarsely, and every pair's answer is chosen anew, twice: that one against which least is to be said, what
  * it carries differing from what all others say being one thing more. With the answers so chosen the labels
  * spread once more at the resolution of the working surfaces, from all labelled meshes and the eight others

@@ -6,7 +6,7 @@ import typing
 import unittest
 
 import marrow
-from marrow import _correspondence, _creature, _measures, _picture, _skeleton, _transfer, vtk
+from marrow import _collection, _correspondence, _creature, _measures, _picture, _skeleton, _transfer, vtk
 from marrow._parameters import choices_of, set_parameters, snake_case
 
 # Function, its keyword arguments, its class, parameters that the function has by another way.
@@ -16,6 +16,8 @@ FUNCTIONS = [
     (marrow.correspond, _correspondence.CorrespondenceParameters,
      vtk.vtkSkeletonCorrespondence, set()),
     (marrow.transfer, _transfer.TransferParameters, vtk.vtkSegmentationTransfer, set()),
+    (marrow.collection, _collection.CollectionParameters, vtk.vtkCollectionTransfer, set()),
+    (marrow.fuse, _collection.FusionParameters, vtk.vtkSegmentationFusion, set()),
     (marrow.creature, _creature.CreatureParameters, vtk.vtkCreatureSource, {"shape"}),
     (marrow.render, _picture.SceneParameters, vtk.vtkSideBySideScene, {"color_skeleton_by"}),
 ]
