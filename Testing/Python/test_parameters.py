@@ -84,7 +84,7 @@ class TestParameters(unittest.TestCase):
     def other_value(instance, setter, value):
         if isinstance(value, tuple):
             return (0.5, 0.25, 0.125)
-        if isinstance(value, str):
+        if value is None or isinstance(value, str):
             return "Other"
         if isinstance(value, bool):
             return not value
