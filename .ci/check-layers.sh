@@ -6,7 +6,7 @@ failed=0
 
 # Algorithms are plain C++: in a Private folder only Core's bridges know VTK.
 if grep -rnE '#include [<"]vtk' Filters/*/Private Rendering/Private |
-  grep -vE '^Filters/Core/Private/(MeshBridge|SkeletonBridge|LabelBridge|FilterSupport|ParallelFor)\.(h|cxx):'; then
+  grep -vE '^Filters/Core/Private/(MeshBridge|SkeletonBridge|LabelBridge|FilterSupport|ParallelFor|VTKVersions)\.(h|cxx):'; then
   echo "VTK is included in the algorithm layer: see above." >&2
   failed=1
 fi
@@ -22,6 +22,14 @@ private=$(find Filters/*/Private Rendering/Private -name '*.h' -printf '%f\n' | 
   sed 's/\./\\./g')
 if grep -nE "#include \"($private)\"" Filters/*/vtk*.h Rendering/vtk*.h; then
   echo "A public header includes a private one: see above." >&2
+  failed=1
+fi
+
+# The differences between VTK's versions stand in one header.
+if grep -rnE '^ *#.*VTK_(VERSION|MAJOR|MINOR)' --include='*.h' --include='*.cxx' \
+  Filters Rendering Wrapping Examples Testing Documentation |
+  grep -v '^Filters/Core/Private/VTKVersions.h:'; then
+  echo "VTK's version is asked for outside of VTKVersions.h: see above." >&2
   failed=1
 fi
 exit $failed

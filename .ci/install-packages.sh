@@ -6,11 +6,11 @@ set -euo pipefail
 packages=(
   # build; VTK's CMake package also looks for what python3-vtk9 and mpi-default-dev bring
   cmake g++ ninja-build ccache
-  libvtk9-dev python3-vtk9 mpi-default-dev libeigen3-dev libboost-graph-dev libcli11-dev
+  libvtk9-dev python3-vtk9 mpi-default-dev libeigen3-dev libboost-graph-dev libcli11-dev nlohmann-json3-dev
   # the Python package
   python3-numpy
-  # tests
-  libgtest-dev
+  # tests; what cpack makes Debian packages with
+  libgtest-dev dpkg-dev file
   # pictures without a display, and the examples' recipes
   xvfb xauth libgl1-mesa-dri python3
   "$@")

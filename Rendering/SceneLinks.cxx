@@ -2,7 +2,7 @@
 #include "SceneLinks.h"
 
 #include "ArrayNames.h"
-#include "vtkLabelColors.h"
+#include "vtkMarrowLabelColors.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -66,7 +66,7 @@ void SceneLinks::AddTo(vtkRenderWindow* window, double lineWidth)
     const auto first = 2 * static_cast<vtkIdType>(link);
     lines->InsertNextCell({ first, first + 1 });
     double rgb[3];
-    vtkLabelColors::GetColor(this->Ids[link], rgb);
+    vtkMarrowLabelColors::GetColor(this->Ids[link], rgb);
     colors->InsertNextTuple3(255 * rgb[0], 255 * rgb[1], 255 * rgb[2]);
   }
   vtkNew<vtkPolyData> links;

@@ -2,10 +2,10 @@
 #include "SceneTile.h"
 
 #include "ArrayNames.h"
-#include "vtkLabelColors.h"
-#include "vtkMeasureColors.h"
-#include "vtkSkeletonGlyphs.h"
-#include "vtkSkeletonMapper.h"
+#include "vtkMarrowLabelColors.h"
+#include "vtkMarrowMeasureColors.h"
+#include "vtkMarrowSkeletonGlyphs.h"
+#include "vtkMarrowSkeletonMapper.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -127,10 +127,10 @@ vtkSmartPointer<vtkPolyData> WithNodeLabels(const SceneTile& tile, const std::st
 
 vtkSmartPointer<vtkActor> SkeletonActor(const SceneTile& tile, const SceneStyle& style)
 {
-  vtkNew<vtkSkeletonMapper> mapper;
+  vtkNew<vtkMarrowSkeletonMapper> mapper;
   mapper->GetGlyphs()->SetColorBy(style.ColorSkeletonBy);
   mapper->GetGlyphs()->SetLabelArrayName(style.LabelArray.c_str());
-  mapper->SetInputDataObject(style.ColorSkeletonBy == vtkSkeletonGlyphs::LABEL
+  mapper->SetInputDataObject(style.ColorSkeletonBy == vtkMarrowSkeletonGlyphs::LABEL
       ? WithNodeLabels(tile, style.LabelArray)
       : tile.Skeleton);
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -200,7 +200,7 @@ void AddScalarBar(
   vtkNew<vtkScalarBarActor> bar;
   const std::string name = measure->GetName();
   const std::string title = measure->GetNumberOfComponents() > 1 ? "|" + name + "|" : name;
-  vtkMeasureColors::SetUpScalarBar(bar, colors, title.c_str(), fontSize);
+  vtkMarrowMeasureColors::SetUpScalarBar(bar, colors, title.c_str(), fontSize);
   bar->SetPosition(0.15, bottom + 0.01);
   bar->SetPosition2(0.7, ScalarBarHeight - 0.02);
   renderer->AddViewProp(bar);
@@ -305,11 +305,11 @@ void FillRenderer(vtkRenderer* renderer, const SceneTile& tile, const SceneView&
   vtkNew<vtkLookupTable> colors;
   if (ShowsMeasure(tile))
   {
-    vtkMeasureColors::FillLookupTable(colors, range);
+    vtkMarrowMeasureColors::FillLookupTable(colors, range);
   }
   else
   {
-    vtkLabelColors::FillLookupTable(colors, SurfaceArrayOf(tile, style.LabelArray));
+    vtkMarrowLabelColors::FillLookupTable(colors, SurfaceArrayOf(tile, style.LabelArray));
   }
   std::vector<vtkSmartPointer<vtkActor>> actors = tile.Actors;
   actors.push_back(SurfaceActor(tile, style, colors));

@@ -26,7 +26,7 @@ struct SceneCurves
   double Radius = 0.0; ///< of the mesh's diagonal
 };
 
-/// One mesh of a vtkSideBySideScene and what is drawn with it.
+/// One mesh of a vtkMarrowSideBySideScene and what is drawn with it.
 struct SceneTile
 {
   vtkSmartPointer<vtkPolyData> Mesh;

@@ -5,8 +5,8 @@
 #include "TreeDrawing.h"
 
 #include <vtkFieldData.h>
+#include <vtkMarrowSkeletonGlyphs.h>
 #include <vtkSkeletonCorrespondence.h>
-#include <vtkSkeletonGlyphs.h>
 
 #include <cstdio>
 
@@ -24,7 +24,7 @@ Picture DrawMatch(const Prepared& source, const Prepared& target, int tileWidth,
   const auto scene = Scene(tileWidth, tileHeight);
   scene->SetSurfaceOpacity(0.15);
   scene->SetLabelArrayName("");
-  scene->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+  scene->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
   scene->ShowLinksOn();
   const double confidence =
     matched[0]->GetFieldData()->GetArray("CorrespondenceConfidence")->GetTuple1(0);

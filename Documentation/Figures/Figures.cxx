@@ -159,8 +159,8 @@ Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
   const marrow::Partner partner = marrow::FindPartner(sourceSide, targetSide.Bodies.front(), {});
   matched.SourceMesh = InOwnFrame(source, sourceSide);
   matched.TargetMesh = InOwnFrame(target, targetSide);
-  matched.Match = marrow::JoinChains(matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton,
-    partner.Answers.front().Match.Ids);
+  matched.Match = marrow::JoinChains(
+    matched.SourceMesh.Skeleton, matched.TargetMesh.Skeleton, partner.Answers.front().Match.Ids);
   return matched;
 }
 
@@ -183,15 +183,15 @@ const Matched& Quadrupeds()
   return matched;
 }
 
-vtkSmartPointer<vtkSideBySideScene> Scene(int tileWidth, int tileHeight)
+vtkSmartPointer<vtkMarrowSideBySideScene> Scene(int tileWidth, int tileHeight)
 {
-  auto scene = vtkSmartPointer<vtkSideBySideScene>::New();
+  auto scene = vtkSmartPointer<vtkMarrowSideBySideScene>::New();
   scene->SetTileWidth(tileWidth);
   scene->SetTileHeight(tileHeight);
   return scene;
 }
 
-Picture Drawn(vtkSideBySideScene* scene)
+Picture Drawn(vtkMarrowSideBySideScene* scene)
 {
   auto picture = Picture::New();
   if (!scene->Render(picture))

@@ -8,8 +8,8 @@
 
 #include <vtkActor.h>
 #include <vtkCreatureSource.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
 
 #include <functional>
 #include <map>
@@ -90,8 +90,8 @@ Transferred Transfer(
 // Drawing
 
 /// A scene whose tiles are of this size.
-vtkSmartPointer<vtkSideBySideScene> Scene(int tileWidth, int tileHeight);
-Picture Drawn(vtkSideBySideScene* scene);
+vtkSmartPointer<vtkMarrowSideBySideScene> Scene(int tileWidth, int tileHeight);
+Picture Drawn(vtkMarrowSideBySideScene* scene);
 Picture Beside(const std::vector<Picture>& pictures);
 Picture Below(const std::vector<Picture>& pictures);
 

@@ -3,9 +3,9 @@
 
 #include <vtkCellData.h>
 #include <vtkIntArray.h>
+#include <vtkMarrowSkeletonGlyphs.h>
 #include <vtkPointData.h>
 #include <vtkSegmentationTransfer.h>
-#include <vtkSkeletonGlyphs.h>
 
 namespace figures
 {
@@ -18,7 +18,7 @@ Picture DrawHandles(const std::string& meshes)
     MatchCreatures(Creature(vtkCreatureSource::QUADRUPED, 1), ReadMesh(meshes, "elephant"));
   const auto skeletons = Scene(330, 240);
   skeletons->SetSurfaceOpacity(0.2);
-  skeletons->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+  skeletons->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
   skeletons->SetLabelArrayName("");
   skeletons->AddMesh(pair.Source.Mesh, pair.Source.Skeleton, "skeletons, matched parts alike");
   skeletons->AddMesh(pair.Target.Mesh, pair.Target.Skeleton);

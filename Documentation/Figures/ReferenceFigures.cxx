@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Figures.h"
 
-#include <vtkLabelColors.h>
+#include <vtkMarrowLabelColors.h>
 
 #include <cmath>
 
@@ -90,7 +90,7 @@ Picture DrawLabels(const std::string&)
   for (int label = 0; label < 24; ++label)
   {
     Color color;
-    vtkLabelColors::GetColor(label, color.data());
+    vtkMarrowLabelColors::GetColor(label, color.data());
     const int line = label / 12;
     const double x = 180.0 + side * (label % 12);
     for (int row = 0; row < 2; ++row)

@@ -23,7 +23,7 @@ namespace figures
 {
 namespace
 {
-/// A loop round a front leg of the source, and where it sits.
+/// A loop around a front leg of the source, and where it sits.
 struct LegLoop
 {
   marrow::SegmentLoop Loop;
@@ -94,7 +94,7 @@ Carried Carry(const Matched& pair, int label, double lambda, double searchRegion
   return { leg, *cut };
 }
 
-/// The annulus of a mesh round a closed curve.
+/// The annulus of a mesh around a closed curve.
 std::optional<marrow::CylinderMap> Unroll(const marrow::TriangleMesh& mesh,
   const std::vector<Eigen::Vector3d>& curve, const Eigen::Vector3d& axis)
 {
@@ -243,7 +243,7 @@ Picture DrawCoveringRegion(const std::string&)
   auto target = Unroll(pair.TargetMesh.Mesh, targetCurve, forwards);
   if (!source || !target)
   {
-    throw std::runtime_error("There is no annulus round the boundary.");
+    throw std::runtime_error("There is no annulus around the boundary.");
   }
   const std::vector<Eigen::Vector2d> sourceUv = UvOf(*source, sourceMesh, sourceCurve);
   std::vector<Eigen::Vector2d> targetUv = UvOf(*target, pair.TargetMesh.Mesh, targetCurve);

@@ -5,19 +5,19 @@
 #include "ShrunkMesh.h"
 
 #ifdef MARROW_HAS_SKELETON_CGAL
-#include <vtkMeanCurvatureSkeleton.h>
+#include <vtkMarrowMeanCurvatureSkeleton.h>
 #endif
 
 #include <vtkCellData.h>
 #include <vtkIntArray.h>
-#include <vtkLabelColors.h>
 #include <vtkMSPField.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowLabelColors.h>
+#include <vtkMarrowSkeletonGlyphs.h>
+#include <vtkMarrowSkeletonMapper.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSkeletonGlyphs.h>
-#include <vtkSkeletonMapper.h>
 
 #include <algorithm>
 
@@ -184,7 +184,7 @@ Picture DrawNodeRegions(const std::string& meshes)
   for (vtkIdType node = 0; node < skeleton->GetNumberOfPoints(); ++node)
   {
     Color color;
-    vtkLabelColors::GetColor(colorOf(static_cast<int>(node)), color.data());
+    vtkMarrowLabelColors::GetColor(colorOf(static_cast<int>(node)), color.data());
     scene->AddActor(
       inside, Ball(Eigen::Vector3d(skeleton->GetPoint(node)), 0.009 * mesh->GetLength(), color));
   }
@@ -200,7 +200,7 @@ Picture DrawNodes(
   for (const auto& [caption, skeleton] : skeletons)
   {
     const int tile = scene->AddMesh(mesh, nullptr, caption.c_str());
-    vtkNew<vtkSkeletonMapper> mapper;
+    vtkNew<vtkMarrowSkeletonMapper> mapper;
     mapper->SetInputDataObject(skeleton);
     mapper->GetGlyphs()->SetShowRegularNodes(allNodes);
     vtkNew<vtkActor> actor;
@@ -247,13 +247,13 @@ Picture DrawNodeSpacing(const std::string&)
 Picture DrawSkeletonMethods(const std::string& meshes)
 {
   const Data mesh = ReadMesh(meshes, "armadillo");
-  vtkNew<vtkMeanCurvatureSkeleton> flow;
+  vtkNew<vtkMarrowMeanCurvatureSkeleton> flow;
   flow->SetInputData(mesh);
   flow->Update();
   const auto scene = Scene(340, 340);
   scene->SetSurfaceOpacity(0.2);
   scene->AddMesh(mesh, SkeletonWith(mesh, [](vtkMSPSkeleton*) {}), "vtkMSPSkeleton");
-  scene->AddMesh(mesh, Output(flow), "vtkMeanCurvatureSkeleton");
+  scene->AddMesh(mesh, Output(flow), "vtkMarrowMeanCurvatureSkeleton");
   return Drawn(scene);
 }
 
@@ -263,7 +263,7 @@ Picture DrawMeanCurvature(const std::string& meshes)
   std::vector<std::pair<std::string, Data>> skeletons;
   const auto add = [&](const char* quality, const char* centered)
   {
-    vtkNew<vtkMeanCurvatureSkeleton> flow;
+    vtkNew<vtkMarrowMeanCurvatureSkeleton> flow;
     flow->SetInputData(mesh);
     flow->SetQualitySpeedTradeoff(std::stod(quality));
     flow->SetMediallyCenteredSpeedTradeoff(std::stod(centered));

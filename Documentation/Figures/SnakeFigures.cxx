@@ -124,7 +124,7 @@ public:
   Picture Draw() { return Drawn(this->Tiles); }
 
 private:
-  vtkSmartPointer<vtkSideBySideScene> Tiles;
+  vtkSmartPointer<vtkMarrowSideBySideScene> Tiles;
 };
 
 Picture DrawSnake(const std::string&)

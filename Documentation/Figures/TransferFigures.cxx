@@ -8,7 +8,7 @@ namespace figures
 {
 namespace
 {
-void AddBoundaries(vtkSideBySideScene* scene, int tile, vtkPolyData* boundaries)
+void AddBoundaries(vtkMarrowSideBySideScene* scene, int tile, vtkPolyData* boundaries)
 {
   scene->AddCurves(tile, boundaries, Black[0], Black[1], Black[2], 0.003);
 }

@@ -4,10 +4,10 @@
 //   Collection [picture.png]
 #include <vtkCreatureSource.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
-#include <vtkSideBySideScene.h>
 
 #include <string>
 
@@ -22,7 +22,7 @@ int main(int argc, char* argv[])
   transfer->SetInputConnection(0, sourceSkeleton->GetOutputPort(1)); // the mesh with its measures
   transfer->SetInputConnection(2, sourceSkeleton->GetOutputPort(0)); // the skeleton
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(270);
   scene->SetTileHeight(230);
   scene->SetColumns(3);

@@ -5,11 +5,11 @@
 #include <vtkCreatureSource.h>
 #include <vtkFieldData.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowSideBySideScene.h>
+#include <vtkMarrowSkeletonGlyphs.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
 #include <vtkSkeletonCorrespondence.h>
-#include <vtkSkeletonGlyphs.h>
 
 #include <iostream>
 
@@ -29,11 +29,11 @@ int main(int argc, char* argv[])
   }
   correspondence->Update();
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileHeight(320);
   scene->SetSurfaceOpacity(0.15);
   scene->SetLabelArrayName(""); // the surfaces plain
-  scene->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+  scene->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
   scene->ShowLinksOn();
   for (int i = 0; i < 2; ++i)
   {

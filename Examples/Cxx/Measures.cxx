@@ -4,9 +4,9 @@
 //   Measures [picture.png]
 #include <vtkCreatureSource.h>
 #include <vtkMSPField.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
 
 int main(int argc, char* argv[])
 {
@@ -17,7 +17,7 @@ int main(int argc, char* argv[])
   measures->SetInputConnection(mesh->GetOutputPort());
   measures->Update();
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(280);
   scene->SetTileHeight(260);
   for (const char* name : { "AGD", "MSP", "MSPGradient" })

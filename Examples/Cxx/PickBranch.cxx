@@ -7,6 +7,7 @@
 #include <vtkCreatureSource.h>
 #include <vtkIdList.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -14,7 +15,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkSideBySideScene.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -88,7 +88,7 @@ int main(int argc, char* argv[])
   lit->GetProperty()->SetColor(0.9, 0.6, 0.0);
   lit->GetProperty()->SetOpacity(0.5);
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(500);
   scene->SetSurfaceOpacity(0.2);
   scene->SetLabelArrayName("");

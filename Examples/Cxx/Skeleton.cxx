@@ -3,10 +3,10 @@
 //   Skeleton [picture.png]
 #include <vtkCreatureSource.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
 
 #include <iostream>
 
@@ -26,7 +26,7 @@ int main(int argc, char* argv[])
             << " branches; vertex 0 belongs to node "
             << surface->GetPointData()->GetArray("SkeletonNodeId")->GetTuple1(0) << "\n";
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(300);
   scene->AddMesh(surface, nullptr, "surface");
   const int tile = scene->AddMesh(surface, skeleton, "skeleton");

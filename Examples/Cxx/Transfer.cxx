@@ -2,10 +2,10 @@
 // The segments of one mesh on another, the boundaries that carried them, and how sure that is.
 //   Transfer [picture.png]
 #include <vtkCreatureSource.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
-#include <vtkSideBySideScene.h>
 
 int main(int argc, char* argv[])
 {
@@ -23,7 +23,7 @@ int main(int argc, char* argv[])
   transfer->Update();
   auto* labelled = vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0));
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(280);
   const int from = scene->AddMesh(source->GetOutput(), nullptr, "source");
   const int to = scene->AddMesh(labelled, nullptr, "target");

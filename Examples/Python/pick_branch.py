@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter)
 
 import marrow
-from marrow.vtk import vtkSideBySideScene, vtkSkeletonGlyphs
+from marrow.vtk import vtkMarrowSideBySideScene, vtkMarrowSkeletonGlyphs
 
 BLACK = (0.05, 0.05, 0.05)
 
@@ -25,9 +25,9 @@ class BranchPicker:
 
     def __init__(self, pair):
         self.pair, self.sides = pair, (pair.source, pair.target)
-        self.scene, self.window = vtkSideBySideScene(), vtkRenderWindow()
+        self.scene, self.window = vtkMarrowSideBySideScene(), vtkRenderWindow()
         self.scene.SetSurfaceOpacity(0.2)
-        self.scene.SetColorSkeletonBy(vtkSkeletonGlyphs.CORRESPONDENCE)
+        self.scene.SetColorSkeletonBy(vtkMarrowSkeletonGlyphs.CORRESPONDENCE)
         self.selected = [vtkPolyData(), vtkPolyData()]
         for side, lines in zip(self.sides, self.selected):
             self.scene.AddActor(self.scene.AddMesh(side.mesh.polydata, side.polydata),
@@ -57,7 +57,7 @@ class BranchPicker:
         picker.SetTolerance(0.02)
         picker.PickFromListOn()  # the skeletons, not the surfaces in front of them
         for actor in renderer.GetActors():
-            if actor.GetMapper().IsA("vtkSkeletonMapper"):
+            if actor.GetMapper().IsA("vtkMarrowSkeletonMapper"):
                 picker.AddPickList(actor)
         if picker.Pick(x, y, 0, renderer):
             side = 0 if renderer is self.scene.GetRenderer(0) else 1

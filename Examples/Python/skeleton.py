@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The limbs of a mesh, the branches of its skeleton that have a free end, and the parts round them.
+"""The limbs of a mesh, the branches of its skeleton that have a free end, and the parts around them.
 
     skeleton.py MESH PICTURE.png
 """

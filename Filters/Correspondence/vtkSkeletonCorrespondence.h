@@ -54,7 +54,7 @@
  * whose skeletons are flat are a guess; loops are opened on one side only, and not where limbs have
  * grown together at a junction of more than three branches.
  *
- * Input port 0: the source, a skeleton (vtkPolyData) of vtkMSPSkeleton or vtkMeanCurvatureSkeleton.
+ * Input port 0: the source, a skeleton (vtkPolyData) of vtkMSPSkeleton or vtkMarrowMeanCurvatureSkeleton.
  * Input port 1: the target, another one.
  *
  * | array read | on | type | meaning |

@@ -74,7 +74,7 @@ std::string ReadFileContent(const std::string& fileName, std::string& content)
   {
     return CannotRead(fileName, "it is a folder; name a file.");
   }
-  const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
     std::fopen(fileName.c_str(), "rb"), std::fclose);
   if (!file)
   {

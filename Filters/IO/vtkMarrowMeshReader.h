@@ -56,7 +56,7 @@ public:
   ///@}
 
   /**
-   * The endings of the names of files that can be read, in small letters, separated by spaces. Capital
+   * The extensions of files that can be read, in lower case, separated by spaces. Capital
    * letters are read too.
    */
   static const char* GetFileExtensions();

@@ -4,7 +4,7 @@
  * @brief   write a mesh with its segments to a file
  *
  * The format follows from the name's ending, and with it where the segments go:
- * - .off: text; a colour per face, that of vtkLabelColors, or of the segment's name if that is one
+ * - .off: text; a colour per face, that of vtkMarrowLabelColors, or of the segment's name if that is one
  *   ("#ff0000"), and never the same for two segments;
  * - .ply: binary, little-endian; the face property SegmentId (int);
  * - .obj: text; a group per segment with the segment's name, or "segment_3" for number 3. Faces keep
@@ -21,7 +21,7 @@
  *
  * A file appears under its name when it is complete, and not before. Errors: no file name, or none with
  * a known ending; cells that are no polygons, for formats not of VTK; segments that are no integers; the
- * file cannot be written. Write() then returns 0 and GetErrorCode() tells the kind.
+ * file cannot be written. Write() then returns 0 and GetErrorCode() returns the kind.
  */
 #ifndef vtkMarrowMeshWriter_h
 #define vtkMarrowMeshWriter_h
@@ -46,7 +46,7 @@ public:
   ///@}
 
   /**
-   * The endings of the names of files that can be written, in small letters, separated by spaces.
+   * The extensions of files that can be written, in lower case, separated by spaces.
    */
   static const char* GetFileExtensions();
 

@@ -37,7 +37,7 @@ public:
   ///@}
 
   /**
-   * The endings of the names of files that can be read, in small letters, separated by spaces.
+   * The extensions of files that can be read, in lower case, separated by spaces.
    */
   static const char* GetFileExtensions();
 

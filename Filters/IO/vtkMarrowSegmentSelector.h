@@ -12,7 +12,7 @@
  *   vtkMarrowMeshReader makes them from the parts of a file;
  * - "colors": equal colours are one segment. Those of the cells, Colors or else the active scalars if
  *   these are unsigned char x 3 or 4; else those of the points, by their cells' corners as above. Colours
- *   that are all among those of vtkLabelColors stand for its labels; others are numbered from 0 in the
+ *   that are all among those of vtkMarrowLabelColors stand for its labels; others are numbered from 0 in the
  *   order of their red, green, blue and opacity.
  *
  * Output port 0: the same mesh, and

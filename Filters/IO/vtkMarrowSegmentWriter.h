@@ -11,7 +11,7 @@
  * vtkDataObject::FIELD_ASSOCIATION_CELLS, name) selects another.
  *
  * Errors: no file name; no such array, or not one integer per cell; the file cannot be written. Write()
- * then returns 0 and GetErrorCode() tells the kind.
+ * then returns 0 and GetErrorCode() returns the kind.
  */
 #ifndef vtkMarrowSegmentWriter_h
 #define vtkMarrowSegmentWriter_h
@@ -36,7 +36,7 @@ public:
   ///@}
 
   /**
-   * The endings of the names of files that can be written, in small letters, separated by spaces.
+   * The extensions of files that can be written, in lower case, separated by spaces.
    */
   static const char* GetFileExtensions();
 

@@ -35,7 +35,7 @@
  * - MSPCenter, double×3: length-weighted centroid of that slice.
  * - MSPNormal, double×3: unit normal of that slice's plane; its sign means nothing.
  * - MSPGradient, double×3: gradient of MSP, dimensionless, towards the thicker part, by the paper's
- *   sum over the edges of the triangles round the vertex: on equilateral triangles 4/√3 times the
+ *   sum over the edges of the triangles around the vertex: on equilateral triangles 4/√3 times the
  *   gradient proper.
  * - MSPValid, uchar: 1 where the slice is closed; 0 where it is closed by its chord, or filled in.
  * - DihedralAngle, double: mean over the vertex's inner edges, weighted by their lengths, of the angle
@@ -43,7 +43,7 @@
  *
  * Slices that meet a border of the mesh are followed to the border both ways and closed by the
  * chord between the ends; they count only at vertices where no slice closes by itself. Vertices
- * without any slice (no area round them) take the mean of their neighbours. Points that no face
+ * without any slice (no area around them) take the mean of their neighbours. Points that no face
  * uses get AGD, MSP, gradient and dihedral angle 0 and themselves as the slice centre. No value is
  * ever NaN.
  *

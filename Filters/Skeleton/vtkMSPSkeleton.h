@@ -11,14 +11,14 @@
  *
  * The skeleton of the correspondence paper, section 5: every vertex moves to the centre of its least
  * slice, the shrunk mesh is collapsed edge by edge until no triangle is left, and the vertices that
- * were merged into a node are its φ. Each step was made to work on real meshes without a hand:
+ * were merged into a node are its φ. Every step runs on real meshes without user interaction:
  *
- * - Where no plane cuts across the part (tips, flat feet, joints) the slice centre is unreliable. The
- *   perimeter tells: an honest one does not grow faster along the surface than on a cone. Unreliable
- *   vertices are drawn to their neighbours, over a length in proportion to the local thickness.
+ * - Where no plane cuts across the part (tips, flat feet, joints) the slice centre is unreliable. It is
+ *   recognized by its perimeter, which cannot grow faster along the surface than on a cone. Unreliable
+ *   vertices are smoothed towards their neighbours, over a length in proportion to the local thickness.
  * - The number of independent loops of the skeleton is the genus of the mesh, by construction: the
- *   collapse keeps track of the homology of the surface and closes the loops round tubes only.
- * - Spurs are told from limbs by prominence (length over thickness) and share of the area; the cut
+ *   collapse keeps track of the homology of the surface and closes only the loops around tubes.
+ * - Spurs are distinguished from limbs by prominence (length over thickness) and share of the area; the cut
  *   is made in the widest gap of the two. The vertices of a spur count for the node where it hung (for
  *   its φ and all means over φ), but not for where the nodes stand.
  * - Regular nodes are evened out, stand in the middle of their ring, inside the surface; terminals

@@ -14,7 +14,7 @@
  * triangles, concave ones inside; leaves out faces that are there twice or have no area; parts the
  * sheets at edges of more than two faces; turns faces to agree and to look outwards, and cuts what
  * cannot be oriented; gives every fan of faces its own point; closes holes that are small against the
- * part round them (openings of tubes stay open). Then parts that touch, overlap or lie inside others
+ * part around them (openings of tubes stay open). Then parts that touch, overlap or lie inside others
  * become one body by a wrap of the volume that they enclose together (generalized winding numbers,
  * Jacobson, Kavan and Sorkine 2013); so do soups that mending leaves in shreds. Bodies that lie apart
  * stay apart; crumbs far smaller than the largest body are left out. At last edges are collapsed

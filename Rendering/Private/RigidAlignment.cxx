@@ -9,35 +9,26 @@ namespace marrow
 {
 Eigen::Matrix3d RotationTo(const LabelCentroids& reference, const LabelCentroids& mesh)
 {
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;
-  Eigen::Vector3d referenceMean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d meshMean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3Xd here(3, mesh.size());
+  Eigen::Matrix3Xd there(3, mesh.size());
+  Eigen::Index shared = 0;
   for (const auto& [label, centroid] : mesh)
   {
     const auto found = reference.find(label);
     if (found != reference.end())
     {
-      pairs.emplace_back(found->second, centroid);
-      referenceMean += found->second;
-      meshMean += centroid;
+      here.col(shared) = centroid;
+      there.col(shared) = found->second;
+      ++shared;
     }
   }
-  if (pairs.size() < 3)
+  if (shared < 3)
   {
     return Eigen::Matrix3d::Identity();
   }
-  referenceMean /= static_cast<double>(pairs.size());
-  meshMean /= static_cast<double>(pairs.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const auto& [there, here] : pairs)
-  {
-    covariance += (there - referenceMean) * (here - meshMean).transpose();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
-    covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  const bool withScaling = false;
+  return Eigen::umeyama(here.leftCols(shared), there.leftCols(shared), withScaling)
+    .topLeftCorner<3, 3>();
 }
 
 Eigen::Vector3d BroadSide(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& up)

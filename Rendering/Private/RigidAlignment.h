@@ -13,8 +13,8 @@ namespace marrow
 using LabelCentroids = std::map<int, Eigen::Vector3d>;
 
 /// The rotation that turns a mesh so that its parts stand where the parts of the same labels stand
-/// in `reference`: Kabsch's least squares over the centroids, each set taken from its own mean,
-/// never a reflection. The identity when fewer than three labels are shared: they fix no rotation.
+/// in `reference`: least squares over the centroids, each set taken from its own mean, never a
+/// reflection. The identity when fewer than three labels are shared: they fix no rotation.
 Eigen::Matrix3d RotationTo(const LabelCentroids& reference, const LabelCentroids& mesh);
 
 /// The direction perpendicular to `up` along which the points spread least: from there an animal is

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-/// Runs on one thread, as the peer does, or on MARROW_BENCHMARK_THREADS of them.
+/// Runs on one thread, as the baseline does, or on MARROW_BENCHMARK_THREADS of them.
 int main(int argc, char** argv)
 {
   const char* threads = std::getenv("MARROW_BENCHMARK_THREADS");

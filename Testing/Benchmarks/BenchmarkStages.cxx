@@ -32,7 +32,7 @@ struct Prepared
   double Faces = 0.0;
 };
 
-/// From a bare mesh to its skeleton: what the peer does.
+/// From a bare mesh to its skeleton: what the baseline does.
 void MeasuresAndSkeleton(benchmark::State& state)
 {
   const auto mesh = bench::Mesh(static_cast<int>(state.range(0)));

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints how the stages compare with CGAL's mean curvature skeleton and with the bars set for them.
+"""Prints how the stages compare with CGAL's mean curvature skeleton and with the acceptance thresholds.
 
 Needs the benchmark build with CGAL:
 
@@ -24,7 +24,7 @@ import time
 
 SIZES = (20000, 50000, 200000)
 LEAST_SPEEDUP = {20000: 5.0, 50000: 8.0, 200000: 15.0}
-# A machine on which the peer takes 0.6 s for 20,000 faces does two files in 0.35 s.
+# A machine on which the baseline takes 0.6 s for 20,000 faces does two files in 0.35 s.
 MOST_FOR_TWO_FILES = 0.35 / 0.6
 MOST_FOR_TRANSFER = 0.35
 MOST_SECONDS_OF_LARGE = 8.0

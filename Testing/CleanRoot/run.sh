@@ -13,17 +13,12 @@ if [ ${#pages[@]} -eq 0 ]; then
   pages=(Documentation/quick-start.md Documentation/contributing.md
     Testing/Benchmarks/Segmentation/README.md README.md)
 fi
-.ci/install-packages.sh debootstrap git
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-debootstrap --variant=minbase bookworm "$work/base" http://deb.debian.org/debian
+.ci/install-packages.sh git
+source Testing/CleanRoot/roots.sh
 
 failed=()
 for page in "${pages[@]}"; do
-  root=$work/root
-  rm -rf "$root"
-  cp --archive "$work/base" "$root"
-  cp --dereference /etc/resolv.conf "$root/etc/resolv.conf"
+  fresh_root
   mkdir "$root/marrow"
   git archive HEAD | tar --extract --directory "$root/marrow"
   {
@@ -31,9 +26,7 @@ for page in "${pages[@]}"; do
     awk '/^```sh$/ { shell = 1; next } /^```/ { shell = 0 } shell' "$page" |
       sed 's/ *#.*//' | grep -E '^(Examples/|Testing/|Wrapping/|\.ci/|cmake |ctest |export )' || true
   } >"$root/commands.sh"
-  if ! unshare --mount --pid --fork --mount-proc="$root/proc" \
-    chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
-    bash /commands.sh; then
+  if ! in_root /commands.sh; then
     failed+=("$page")
   fi
 done

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // marrow evaluate as a user meets it, on an octahedron cut in halves this way and that.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <filesystem>
@@ -76,12 +77,22 @@ TEST_F(EvaluateCommand, AveragesOverReferences)
 
 TEST_F(EvaluateCommand, JsonHasNullForWhatIsUndefined)
 {
-  const std::string json = this->Run("mesh.off --segments whole.seg --reference right.seg --json");
-  EXPECT_NE(json.find("\"mesh\": \"mesh.off\""), std::string::npos) << json;
-  EXPECT_NE(
-    json.find("{ \"reference\": \"right.seg\", \"CutDiscrepancy\": null, "), std::string::npos)
-    << json;
-  EXPECT_NE(json.find("\"mean\": { \"CutDiscrepancy\": null, "), std::string::npos) << json;
+  const nlohmann::json json =
+    nlohmann::json::parse(this->Run("mesh.off --segments whole.seg --reference right.seg --json"));
+  EXPECT_EQ(json.at("mesh"), "mesh.off");
+  ASSERT_EQ(json.at("references").size(), 1u);
+  EXPECT_EQ(json.at("references").at(0).at("reference"), "right.seg");
+  EXPECT_TRUE(json.at("references").at(0).at("CutDiscrepancy").is_null());
+  EXPECT_TRUE(json.at("mean").at("CutDiscrepancy").is_null());
+  EXPECT_EQ(json.at("mean").at("RandError"), json.at("references").at(0).at("RandError"));
+}
+
+TEST_F(EvaluateCommand, JsonTakesAnyNameOfAFile)
+{
+  fs::copy_file(this->Folder / "right.seg", this->Folder / "right\t\xff.seg");
+  const nlohmann::json json = nlohmann::json::parse(
+    this->Run("mesh.off --segments upper.seg --reference 'right\t\xff.seg' --json"));
+  EXPECT_EQ(json.at("references").at(0).at("reference"), "right\t\ufffd.seg");
 }
 
 TEST_F(EvaluateCommand, ErrorsNameTheFile)

@@ -4,9 +4,9 @@
 #include <vtkCellData.h>
 #include <vtkCreatureSource.h>
 #include <vtkDataArray.h>
-#include <vtkLabelColors.h>
 #include <vtkMSPField.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowLabelColors.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
@@ -20,7 +20,7 @@ int main()
   vtkNew<vtkMSPSkeleton> skeleton;
   vtkNew<vtkSkeletonCorrespondence> correspondence;
   double rgb[3];
-  vtkLabelColors::GetColor(1, rgb);
+  vtkMarrowLabelColors::GetColor(1, rgb);
 
   vtkNew<vtkCreatureSource> source;
   source->SetResolution(3000);

@@ -58,7 +58,7 @@ TEST(TriangleMesh, FanVisitsEveryNeighbourOnceInOrder)
     for (std::size_t i = 0; i < visited.size(); ++i)
     {
       const int next = visited[(i + 1) % visited.size()];
-      EXPECT_EQ(neighbors[visited[i]].count(next), 1u) << "not in order round vertex " << v;
+      EXPECT_EQ(neighbors[visited[i]].count(next), 1u) << "not in order around vertex " << v;
     }
   }
 }

@@ -5,8 +5,8 @@
 #include <vtkMarrowMeshReader.h>
 #include <vtkMarrowSegmentReader.h>
 #include <vtkMarrowSegmentWriter.h>
+#include <vtkMarrowSegmentationMetrics.h>
 #include <vtkNew.h>
-#include <vtkSegmentationMetrics.h>
 #include <vtkSegmentationTransfer.h>
 #include <vtkSkeletonCorrespondence.h>
 
@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkMarrowSegmentReader> reference;
   reference->SetInputConnection(target->GetOutputPort());
   reference->SetFileName(argv[5]);
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   metrics->SetInputConnection(0, transfer->GetOutputPort());
   metrics->SetInputConnection(1, reference->GetOutputPort());
   metrics->Update();

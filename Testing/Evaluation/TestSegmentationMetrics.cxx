@@ -3,7 +3,7 @@
 #include "ErrorObserver.h"
 #include "MeshBridge.h"
 #include "TestShapes.h"
-#include "vtkSegmentationMetrics.h"
+#include "vtkMarrowSegmentationMetrics.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -63,10 +63,10 @@ vtkSmartPointer<vtkPolyData> Segmented(
   return data;
 }
 
-vtkSmartPointer<vtkSegmentationMetrics> Compare(
+vtkSmartPointer<vtkMarrowSegmentationMetrics> Compare(
   const TriangleMesh& mesh, const std::vector<int>& segments, const std::vector<int>& reference)
 {
-  auto metrics = vtkSmartPointer<vtkSegmentationMetrics>::New();
+  auto metrics = vtkSmartPointer<vtkMarrowSegmentationMetrics>::New();
   metrics->SetInputData(0, Segmented(mesh, segments));
   metrics->SetInputData(1, Segmented(mesh, reference));
   metrics->Update();
@@ -248,7 +248,7 @@ TEST(SegmentationMetrics, TableHoldsWhatTheGettersGive)
 TEST(SegmentationMetrics, ArraysAreSelectable)
 {
   const TriangleMesh mesh = MakeOctahedron();
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   metrics->SetInputData(0, Segmented(mesh, UpperLower, "Mine"));
   metrics->SetInputData(1, Segmented(mesh, RightLeft, "Theirs"));
   metrics->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Mine");
@@ -260,7 +260,7 @@ TEST(SegmentationMetrics, ArraysAreSelectable)
 TEST(SegmentationMetrics, ErrorsSayWhatIsWrong)
 {
   const TriangleMesh mesh = MakeOctahedron();
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   ErrorObserver errors(metrics);
   metrics->SetInputData(0, Segmented(mesh, UpperLower));
   metrics->SetInputData(1, Segmented(MakeSphere(1.0, 1), std::vector<int>(32, 0)));
@@ -290,7 +290,7 @@ TEST(SegmentationMetrics, ErrorsSayWhatIsWrong)
 
 TEST(SegmentationMetrics, MissingReferenceIsAnError)
 {
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   ErrorObserver errors(metrics);
   metrics->SetInputData(0, Segmented(MakeOctahedron(), UpperLower));
   metrics->Update();
@@ -300,7 +300,7 @@ TEST(SegmentationMetrics, MissingReferenceIsAnError)
 
 TEST(SegmentationMetrics, APolygonIsOneFaceAndABoundaryDoesNotEndAtASeam)
 {
-  // The sides of a box round z, of four quads each, and the same cut into triangles. Of the quads every
+  // The sides of a box around z, of four quads each, and the same cut into triangles. Of the quads every
   // corner is there for itself, as where a texture has a seam.
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> polygons;
@@ -341,7 +341,7 @@ TEST(SegmentationMetrics, APolygonIsOneFaceAndABoundaryDoesNotEndAtASeam)
     SetIntArray(mesh->GetCellData(), names::SegmentId, segments);
     return mesh;
   };
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   metrics->SetInputData(0, quads(ofQuads));
   metrics->SetInputData(1, quads(referenceOfQuads));
   metrics->Update();

@@ -257,7 +257,7 @@ TEST(MinimumSlicePerimeter, OpenCylinderKeepsClosedSlicesClosed)
 
 TEST(MinimumSlicePerimeter, ClosesOpenSlicesByTheirChordAndSaysSo)
 {
-  // A tube slit along its whole length: no slice round it closes, and the chord over the slit is
+  // A tube slit along its whole length: no slice around it closes, and the chord over the slit is
   // what the missing strip was.
   const double radius = 1.0;
   const TriangleMesh mesh = Without(MakeCylinder(radius, 10.0, 36, 60),

@@ -11,7 +11,7 @@ using namespace marrow::test;
 
 namespace
 {
-/// Six equilateral triangles of side 1 round vertex 0.
+/// Six equilateral triangles of side 1 around vertex 0.
 TriangleMesh MakeHexagon()
 {
   TriangleMesh mesh;
@@ -77,7 +77,7 @@ TEST(DihedralAngle, IsZeroOnFlatAndCollapsedTriangles)
 
 TEST(VertexGradient, FollowsThePapersSumOverTheEdgesOfTheStar)
 {
-  // Twelve unit edges in six directions round the circle and an area of 6 √3/4: a linear function
+  // Twelve unit edges in six directions around the circle and an area of 6 √3/4: a linear function
   // of gradient g gives 12/2 g / (6 √3/4) = 4/√3 g.
   const TriangleMesh mesh = MakeHexagon();
   const Eigen::Vector3d slope(0.3, -0.8, 0.0);

@@ -2,8 +2,9 @@
 """Whether a picture of the screen shows a creature in the colours of its segments."""
 import sys
 
+import built_package  # noqa: F401
 from vtkmodules.vtkIOImage import vtkPNGReader
-from wrapped.MarrowRendering import vtkLabelColors
+from marrow.vtk import vtkMarrowLabelColors
 
 SEGMENTS = 8  # of a quadruped
 LEAST_PIXELS = 400  # more than in a legend
@@ -16,7 +17,7 @@ scalars = reader.GetOutput().GetPointData().GetScalars()
 colors = []
 for label in range(SEGMENTS):
     rgb = [0.0, 0.0, 0.0]
-    vtkLabelColors.GetColor(label, rgb)
+    vtkMarrowLabelColors.GetColor(label, rgb)
     colors.append([c / max(rgb) for c in rgb])
 
 # Light makes a colour darker and leaves its proportions. Every fourth pixel is enough.

@@ -3,6 +3,7 @@
 import os
 import sys
 
+import built_package  # noqa: F401
 from paraview import servermanager, simple
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader

@@ -21,7 +21,7 @@ HUGE = 1000000000
 def classes():
     found = {}
     for module in MODULES:
-        wrapped = importlib.import_module("wrapped.Marrow" + module)
+        wrapped = importlib.import_module("marrow.vtk.Marrow" + module)
         found.update({n: c for n, c in vars(wrapped).items() if n.startswith("vtk")})
     return found
 

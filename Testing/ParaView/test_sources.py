@@ -3,9 +3,9 @@
 import os
 
 from paraview import simple
-from wrapped.MarrowRendering import vtkLabelColors
 
 import plugin
+from marrow.vtk import vtkMarrowLabelColors
 from plugin import expect, expect_between, expect_equal, fetch, values
 
 
@@ -53,7 +53,7 @@ colors = simple.GetColorTransferFunction("SegmentId")
 expected = {str(int(s)) for s in segments + many}
 expect_equal(set(colors.ActiveAnnotatedValues), expected, "segments with colours")
 wanted = [0.0, 0.0, 0.0]
-vtkLabelColors.GetColor(255, wanted)
+vtkMarrowLabelColors.GetColor(255, wanted)
 for c, w in zip(colors.IndexedColors[-3:], wanted):
     expect_between(c, w - 1e-5, w + 1e-5, "the last segment's colour")
 

@@ -61,7 +61,7 @@ class TestExamples(unittest.TestCase):
             self.assertIn(f"{name}: confidence", text)
             mesh = marrow.read(MESHES / f"{name}.off", segments=folder / f"{name}.seg")
             self.assertEqual(set(mesh.segments), set(range(1, 9)))
-        self.assertIn("bad: transfer: Target: The mesh has", text)
+        self.assertIn("bad: transfer: Target: None of the mesh's faces has an area", text)
         self.assertFalse((folder / "bad.seg").exists())
 
     def test_pick_branch(self):

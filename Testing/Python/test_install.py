@@ -12,7 +12,7 @@ SCRIPT = """
 import marrow
 labelled = marrow.transfer(marrow.creature("biped"), marrow.creature("biped", seed=3))
 assert len(set(labelled.segments)) == 7
-marrow.vtk.vtkSideBySideScene()
+marrow.vtk.vtkMarrowSideBySideScene()
 print(marrow.__file__, marrow.__version__)
 print(open("/proc/self/maps").read())
 """

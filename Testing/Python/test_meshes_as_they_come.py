@@ -100,7 +100,7 @@ class TestMendedMeshes(unittest.TestCase):
         self.assertEqual(set(labels), set(self.expected))
 
     def test_quads(self):
-        # Each triangle as three quadrilaterals round its middle.
+        # Each triangle as three quadrilaterals around its middle.
         edges = np.sort(self.faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
         edges, edge_of_corner = np.unique(edges, axis=0, return_inverse=True)
         middles = len(self.points) + edge_of_corner.reshape(-1, 3)

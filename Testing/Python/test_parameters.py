@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every parameter of every class is a keyword argument, and its default is in C++ only."""
+import ast
 import inspect
 import re
 import typing
@@ -7,7 +8,7 @@ import unittest
 
 import marrow
 from marrow import _collection, _correspondence, _creature, _measures, _picture, _skeleton, _transfer, vtk
-from marrow._parameters import choices_of, set_parameters, snake_case
+from marrow._parameters import choices_of, set_parameter, set_parameters, snake_case
 
 # Function, its keyword arguments, its class, parameters that the function has by another way.
 FUNCTIONS = [
@@ -19,11 +20,11 @@ FUNCTIONS = [
     (marrow.collection, _collection.CollectionParameters, vtk.vtkCollectionTransfer, set()),
     (marrow.fuse, _collection.FusionParameters, vtk.vtkSegmentationFusion, set()),
     (marrow.creature, _creature.CreatureParameters, vtk.vtkCreatureSource, {"shape"}),
-    (marrow.render, _picture.SceneParameters, vtk.vtkSideBySideScene, {"color_skeleton_by"}),
+    (marrow.render, _picture.SceneParameters, vtk.vtkMarrowSideBySideScene, {"color_skeleton_by"}),
 ]
-if hasattr(vtk, "vtkMeanCurvatureSkeleton"):
+if hasattr(vtk, "vtkMarrowMeanCurvatureSkeleton"):
     FUNCTIONS.append((marrow.mean_curvature_skeleton, _skeleton.MeanCurvatureSkeletonParameters,
-                      vtk.vtkMeanCurvatureSkeleton, set()))
+                      vtk.vtkMarrowMeanCurvatureSkeleton, set()))
 
 
 def properties_of(kind):
@@ -60,6 +61,17 @@ class TestParameters(unittest.TestCase):
                     bounds = [getattr(kind(), getter(kind(), name).__name__ + which)()
                               for which in ("MinValue", "MaxValue")]
                     self.assertEqual([float(value) for value in found.groups()], bounds, name)
+
+    def test_defaults_in_the_docstrings_are_those_of_the_class(self):
+        for function, allowed, kind, elsewhere in FUNCTIONS:
+            for name in [*allowed.__annotations__, *elsewhere - {"color_skeleton_by"}]:
+                found = re.search(
+                    rf"^    (?:\w+, )*{name}(?:, \w+)* : .*, default: (.+)$", function.__doc__, re.M)
+                self.assertTrue(found, f"{function.__name__}: {name}")
+                said, is_said, untouched = ast.literal_eval(found.group(1)), kind(), kind()
+                set_parameter(is_said, name, said)
+                self.assertEqual(
+                    getter(is_said, name)(), getter(untouched, name)(), f"{function.__name__}: {name}")
 
     def test_defaults_are_those_of_the_class(self):
         for function, allowed, kind, _ in FUNCTIONS:
@@ -103,7 +115,7 @@ class TestParameters(unittest.TestCase):
             typing.get_type_hints(marrow.render)["color_skeleton_by"])[0])
         self.assertEqual(
             {name.upper() for name in colors},
-            {name for name in vars(vtk.vtkSkeletonGlyphs) if name.isupper()})
+            {name for name in vars(vtk.vtkMarrowSkeletonGlyphs) if name.isupper()})
 
     def test_wrong_ones(self):
         creature = marrow.creature("capsule")

@@ -18,7 +18,7 @@ SMALL = {"tile_width": 160, "tile_height": 120}
 
 def color_of(label):
     rgb = [0.0, 0.0, 0.0]
-    marrow.vtk.vtkLabelColors.GetColor(label, rgb)
+    marrow.vtk.vtkMarrowLabelColors.GetColor(label, rgb)
     return np.array(rgb)
 
 

@@ -21,7 +21,7 @@ class TestProgress(unittest.TestCase):
         yield "measure"
         marrow.skeleton(self.source, **arguments)
         yield "skeleton"
-        if hasattr(marrow.vtk, "vtkMeanCurvatureSkeleton"):
+        if hasattr(marrow.vtk, "vtkMarrowMeanCurvatureSkeleton"):
             marrow.mean_curvature_skeleton(self.source, **arguments)
             yield "mean_curvature_skeleton"
         marrow.correspond(self.source, self.target, **arguments)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
-#include <vtkLabelColors.h>
 #include <vtkLookupTable.h>
-#include <vtkMeasureColors.h>
+#include <vtkMarrowLabelColors.h>
+#include <vtkMarrowMeasureColors.h>
 #include <vtkNew.h>
 #include <vtkVariant.h>
 
@@ -18,7 +18,7 @@ namespace
 Eigen::Vector3d LabelColor(vtkIdType label)
 {
   Eigen::Vector3d rgb;
-  vtkLabelColors::GetColor(label, rgb.data());
+  vtkMarrowLabelColors::GetColor(label, rgb.data());
   return rgb;
 }
 
@@ -102,9 +102,9 @@ TEST(LabelColors, ColorOfALabelDoesNotDependOnTheOthers)
     many->InsertNextValue(label);
   }
   vtkNew<vtkLookupTable> fewColors;
-  vtkLabelColors::FillLookupTable(fewColors, few);
+  vtkMarrowLabelColors::FillLookupTable(fewColors, few);
   vtkNew<vtkLookupTable> manyColors;
-  vtkLabelColors::FillLookupTable(manyColors, many);
+  vtkMarrowLabelColors::FillLookupTable(manyColors, many);
   for (int label : { 3, 7 })
   {
     double a[4];
@@ -122,24 +122,24 @@ TEST(LabelColors, ColorOfALabelDoesNotDependOnTheOthers)
 TEST(MeasureColors, RangeIsThatOfTheValuesButForFewFarAbove)
 {
   double range[2];
-  vtkMeasureColors::GetRange(Values({ 2.0, 3.0, 4.0 }, 50), range);
+  vtkMarrowMeasureColors::GetRange(Values({ 2.0, 3.0, 4.0 }, 50), range);
   EXPECT_EQ(range[0], 2.0);
   EXPECT_EQ(range[1], 4.0);
 
   const vtkSmartPointer<vtkDoubleArray> outlier = Values({ 2.0, 3.0, 4.0 }, 50);
   outlier->SetValue(17, 1000.0);
   outlier->SetValue(18, std::nan(""));
-  vtkMeasureColors::GetRange(outlier, range);
+  vtkMarrowMeasureColors::GetRange(outlier, range);
   EXPECT_EQ(range[0], 2.0);
   EXPECT_EQ(range[1], 4.0);
 
-  vtkMeasureColors::GetRange(Values({ -1.0, 0.5 }, 50), range);
+  vtkMarrowMeasureColors::GetRange(Values({ -1.0, 0.5 }, 50), range);
   EXPECT_EQ(range[0], -1.0);
   EXPECT_EQ(range[1], 1.0);
 
-  vtkMeasureColors::GetRange(Values({ 3.0, 3.0 }), range);
+  vtkMarrowMeasureColors::GetRange(Values({ 3.0, 3.0 }), range);
   EXPECT_LT(range[0], range[1]);
-  vtkMeasureColors::GetRange(Values({ std::nan("") }), range);
+  vtkMarrowMeasureColors::GetRange(Values({ std::nan("") }), range);
   EXPECT_EQ(range[0], 0.0);
   EXPECT_EQ(range[1], 1.0);
 }
@@ -151,7 +151,7 @@ TEST(MeasureColors, VectorsAreMeasuredByTheirLength)
   vectors->InsertNextTuple3(-3.0, 0.0, 4.0);
   vectors->InsertNextTuple3(0.0, -6.0, 0.0);
   double range[2];
-  vtkMeasureColors::GetRange(vectors, range);
+  vtkMarrowMeasureColors::GetRange(vectors, range);
   EXPECT_DOUBLE_EQ(range[0], 5.0);
   EXPECT_DOUBLE_EQ(range[1], 6.0);
 }
@@ -160,7 +160,7 @@ TEST(MeasureColors, GetBrighterOrDivergeFromWhite)
 {
   vtkNew<vtkLookupTable> table;
   const double positive[2] = { 0.0, 1.0 };
-  vtkMeasureColors::FillLookupTable(table, positive);
+  vtkMarrowMeasureColors::FillLookupTable(table, positive);
   double last = 0.0;
   for (double value : { 0.0, 0.2, 0.4, 0.6, 0.8, 1.0 })
   {
@@ -172,7 +172,7 @@ TEST(MeasureColors, GetBrighterOrDivergeFromWhite)
   }
 
   const double both[2] = { -2.0, 2.0 };
-  vtkMeasureColors::FillLookupTable(table, both);
+  vtkMarrowMeasureColors::FillLookupTable(table, both);
   double low[3];
   double middle[3];
   double high[3];

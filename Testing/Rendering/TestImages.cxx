@@ -6,11 +6,11 @@
 #include <vtkCreatureSource.h>
 #include <vtkMSPField.h>
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowSideBySideScene.h>
+#include <vtkMarrowSkeletonGlyphs.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
-#include <vtkSideBySideScene.h>
 #include <vtkSkeletonCorrespondence.h>
-#include <vtkSkeletonGlyphs.h>
 
 using marrow::test::ExpectImage;
 
@@ -39,7 +39,7 @@ Data SkeletonOf(vtkPolyData* mesh)
   return vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(0));
 }
 
-vtkSmartPointer<vtkImageData> Draw(vtkSideBySideScene* scene)
+vtkSmartPointer<vtkImageData> Draw(vtkMarrowSideBySideScene* scene)
 {
   scene->SetTileWidth(200);
   scene->SetTileHeight(180);
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkImageData> DrawMeasures(int shape)
   vtkNew<vtkMSPField> measures;
   measures->SetInputData(Creature(shape, 1));
   measures->Update();
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   for (const char* name : { "AGD", "MSP", "MSPGradient" })
   {
     scene->SetSurfaceArray(scene->AddMesh(measures->GetOutput()), name);
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkImageData> DrawMeasures(int shape)
 /// The skeleton inside of the creature.
 vtkSmartPointer<vtkImageData> DrawSkeleton(int shape)
 {
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetSurfaceOpacity(0.3);
   const Data mesh = Creature(shape, 1);
   scene->AddMesh(mesh, SkeletonOf(mesh));
@@ -85,9 +85,9 @@ vtkSmartPointer<vtkImageData> DrawCorrespondence(int shape)
   correspondence->SetInputData(0, SkeletonOf(meshes[0]));
   correspondence->SetInputData(1, SkeletonOf(meshes[1]));
   correspondence->Update();
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetSurfaceOpacity(0.15);
-  scene->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+  scene->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
   scene->ShowLinksOn();
   for (int i = 0; i < 2; ++i)
   {
@@ -104,7 +104,7 @@ vtkSmartPointer<vtkImageData> DrawTransfer(int shape)
   transfer->SetInputData(0, source);
   transfer->SetInputData(1, Creature(shape, 2));
   transfer->Update();
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->AddMesh(source);
   scene->AddMesh(vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0)));
   return Draw(scene);

@@ -8,7 +8,9 @@
 #include <vtkCreatureSource.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
-#include <vtkLabelColors.h>
+#include <vtkMarrowLabelColors.h>
+#include <vtkMarrowSideBySideScene.h>
+#include <vtkMarrowSkeletonGlyphs.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -16,8 +18,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSideBySideScene.h>
-#include <vtkSkeletonGlyphs.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
 #include <vtkTransformFilter.h>
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkPolyData> Transformed(vtkPolyData* mesh, vtkTransform* transf
   return filter->GetPolyDataOutput();
 }
 
-void Draw(vtkSideBySideScene* scene, vtkImageData* image)
+void Draw(vtkMarrowSideBySideScene* scene, vtkImageData* image)
 {
   scene->SetTileWidth(120);
   scene->SetTileHeight(100);
@@ -57,7 +57,7 @@ void Draw(vtkSideBySideScene* scene, vtkImageData* image)
 /// The picture of the tile at the right of two.
 vtkSmartPointer<vtkImageData> SecondTile(vtkPolyData* first, vtkPolyData* second, bool align)
 {
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->AddMesh(first);
   scene->AddMesh(second);
   scene->SetAlign(align);
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> TwoNodes(double left, double right, int leftId, int
   return skeleton;
 }
 
-void LookFromTheFront(vtkSideBySideScene* scene)
+void LookFromTheFront(vtkMarrowSideBySideScene* scene)
 {
   scene->SetViewDirection(0, 0, 1);
   scene->SetAzimuth(0);
@@ -155,7 +155,7 @@ TEST(SideBySideScene, TheSkeletonShowsThroughATransparentSurface)
   vtkNew<vtkImageData> images[2];
   for (int i = 0; i < 2; ++i)
   {
-    vtkNew<vtkSideBySideScene> scene;
+    vtkNew<vtkMarrowSideBySideScene> scene;
     scene->SetSurfaceOpacity(0.3);
     scene->AddMesh(creature->GetOutput(), i == 0 ? nullptr : creature->GetOutput(1));
     Draw(scene, images[i]);
@@ -166,10 +166,10 @@ TEST(SideBySideScene, TheSkeletonShowsThroughATransparentSurface)
 TEST(SideBySideScene, LinksRunBetweenNodesOfEqualId)
 {
   Eigen::Vector3d one;
-  vtkLabelColors::GetColor(1, one.data());
+  vtkMarrowLabelColors::GetColor(1, one.data());
   for (const bool show : { false, true })
   {
-    vtkNew<vtkSideBySideScene> scene;
+    vtkNew<vtkMarrowSideBySideScene> scene;
     LookFromTheFront(scene);
     // Only the second node of the one and the first of the other are matched: a line of label 1 from
     // the right half of the first tile to the left half of the second, at one height.
@@ -211,7 +211,7 @@ TEST(SideBySideScene, AMeasureColorsTheSurfaceAndHasAScalarBar)
   vtkNew<vtkImageData> images[2];
   for (int shared = 0; shared < 2; ++shared)
   {
-    vtkNew<vtkSideBySideScene> scene;
+    vtkNew<vtkMarrowSideBySideScene> scene;
     scene->SetShareRange(shared == 1);
     scene->SetSurfaceArray(scene->AddMesh(mesh), "Height");
     scene->SetSurfaceArray(scene->AddMesh(taller), "Height");
@@ -236,16 +236,16 @@ TEST(SideBySideScene, SkeletonsTakeTheLabelsOfTheirPartOfTheSurface)
   vtkNew<vtkCreatureSource> creature;
   creature->SetResolution(2500);
   creature->Update();
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetSurfaceOpacity(0.0);
-  scene->SetColorSkeletonBy(vtkSkeletonGlyphs::LABEL);
+  scene->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::LABEL);
   scene->AddMesh(creature->GetOutput(0), creature->GetOutput(1));
   vtkNew<vtkImageData> image;
   Draw(scene, image);
   for (vtkIdType label = 0; label < 8; ++label)
   {
     Eigen::Vector3d rgb;
-    vtkLabelColors::GetColor(label, rgb.data());
+    vtkMarrowLabelColors::GetColor(label, rgb.data());
     EXPECT_GT(CountPixels(image, rgb, 0, 120, 0, 100), 3) << "label " << label;
   }
 }
@@ -268,12 +268,12 @@ TEST(SideBySideScene, MatchedSkeletonsAlignWhereThereAreNoLabels)
   vtkNew<vtkTransform> transform;
   transform->RotateX(100);
   transform->RotateY(-50);
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->AddMesh(mesh, skeleton);
   scene->AddMesh(mesh, skeleton);
   vtkNew<vtkImageData> expected;
   Draw(scene, expected);
-  vtkNew<vtkSideBySideScene> turned;
+  vtkNew<vtkMarrowSideBySideScene> turned;
   turned->AddMesh(mesh, skeleton);
   turned->AddMesh(Transformed(mesh, transform), Transformed(skeleton, transform));
   vtkNew<vtkImageData> image;
@@ -302,7 +302,7 @@ TEST(SideBySideScene, CurvesAndActorsStandOnTheirTileAndACloseUpFillsIt)
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0, 0, 1);
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   LookFromTheFront(scene);
   scene->AddMesh(square);
   const int second = scene->AddMesh(square);
@@ -338,7 +338,7 @@ TEST(SideBySideScene, CurvesAndActorsStandOnTheirTileAndACloseUpFillsIt)
 
 TEST(SideBySideScene, CanBeShownInAWindowOfOnesOwn)
 {
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetTileWidth(120);
   scene->SetTileHeight(100);
   scene->AddMesh(Creature());
@@ -359,7 +359,7 @@ TEST(SideBySideScene, ATransparentSurfaceShowsInAnyWindow)
   // A window multisamples unless told otherwise, and VTK leaves out what it should peel then.
   for (const bool drawnBefore : { false, true })
   {
-    vtkNew<vtkSideBySideScene> scene;
+    vtkNew<vtkMarrowSideBySideScene> scene;
     LookFromTheFront(scene);
     scene->SetTileWidth(120);
     scene->SetTileHeight(100);
@@ -390,7 +390,7 @@ TEST(SideBySideScene, ErrorsAreTold)
     { *static_cast<std::string*>(text) = static_cast<const char*>(error); });
   vtkNew<vtkImageData> image;
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->AddObserver(vtkCommand::ErrorEvent, listen);
   EXPECT_FALSE(scene->Render(image));
   EXPECT_NE(told.find("The scene has no mesh"), std::string::npos) << told;

@@ -4,11 +4,11 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellPicker.h>
-#include <vtkLabelColors.h>
+#include <vtkMarrowLabelColors.h>
+#include <vtkMarrowSkeletonGlyphs.h>
+#include <vtkMarrowSkeletonMapper.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSkeletonGlyphs.h>
-#include <vtkSkeletonMapper.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::set<std::array<int, 3>> ColorsOf(vtkPolyData* glyphs)
 std::array<int, 3> LabelColor(vtkIdType label)
 {
   double rgb[3];
-  vtkLabelColors::GetColor(label, rgb);
+  vtkMarrowLabelColors::GetColor(label, rgb);
   return { static_cast<int>(255 * rgb[0]), static_cast<int>(255 * rgb[1]),
     static_cast<int>(255 * rgb[2]) };
 }
@@ -70,7 +70,7 @@ struct MapperScene
     return { pixel->GetValue(0), pixel->GetValue(1), pixel->GetValue(2) };
   }
 
-  vtkNew<vtkSkeletonMapper> Mapper;
+  vtkNew<vtkMarrowSkeletonMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
@@ -84,7 +84,7 @@ bool IsWhite(const std::array<int, 3>& pixel)
 
 TEST(SkeletonGlyphs, SizesAreFractionsOfTheMeshsDiagonal)
 {
-  vtkNew<vtkSkeletonGlyphs> glyphs;
+  vtkNew<vtkMarrowSkeletonGlyphs> glyphs;
   glyphs->SetInputData(YSkeleton());
   glyphs->SetBallRadius(0.05);
   glyphs->SetTubeRadius(0.01);
@@ -96,11 +96,11 @@ TEST(SkeletonGlyphs, SizesAreFractionsOfTheMeshsDiagonal)
 
 TEST(SkeletonGlyphs, ColorsTellTheNodeTypeOrTheCorrespondence)
 {
-  vtkNew<vtkSkeletonGlyphs> glyphs;
+  vtkNew<vtkMarrowSkeletonGlyphs> glyphs;
   glyphs->SetInputData(YSkeleton());
   glyphs->Update();
   EXPECT_EQ(ColorsOf(glyphs->GetOutput()).size(), 3u); // branch, terminal, junction
-  glyphs->SetColorBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+  glyphs->SetColorBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
   glyphs->Update();
   const std::set<std::array<int, 3>> expected = { LabelColor(0), LabelColor(1), LabelColor(2),
     LabelColor(-1) };
@@ -110,7 +110,7 @@ TEST(SkeletonGlyphs, ColorsTellTheNodeTypeOrTheCorrespondence)
 TEST(SkeletonGlyphs, AnEmptySkeletonGivesNothing)
 {
   vtkNew<vtkPolyData> nothing;
-  vtkNew<vtkSkeletonGlyphs> glyphs;
+  vtkNew<vtkMarrowSkeletonGlyphs> glyphs;
   glyphs->SetInputData(nothing);
   glyphs->Update();
   EXPECT_EQ(glyphs->GetOutput()->GetNumberOfCells(), 0);
@@ -119,9 +119,9 @@ TEST(SkeletonGlyphs, AnEmptySkeletonGivesNothing)
 TEST(SkeletonGlyphs, ColorsTellTheBranchOrTheLabel)
 {
   const vtkSmartPointer<vtkPolyData> skeleton = YSkeleton();
-  vtkNew<vtkSkeletonGlyphs> glyphs;
+  vtkNew<vtkMarrowSkeletonGlyphs> glyphs;
   glyphs->SetInputData(skeleton);
-  glyphs->SetColorBy(vtkSkeletonGlyphs::BRANCH);
+  glyphs->SetColorBy(vtkMarrowSkeletonGlyphs::BRANCH);
   glyphs->Update();
   EXPECT_EQ(ColorsOf(glyphs->GetOutput()).size(), 3u); // no such array: as by node type
 
@@ -144,7 +144,7 @@ TEST(SkeletonGlyphs, ColorsTellTheBranchOrTheLabel)
   using Colors = std::set<std::array<int, 3>>;
   EXPECT_EQ(ColorsOf(glyphs->GetOutput()),
     (Colors{ LabelColor(5), LabelColor(6), LabelColor(7), DarkGrey }));
-  glyphs->SetColorBy(vtkSkeletonGlyphs::LABEL);
+  glyphs->SetColorBy(vtkMarrowSkeletonGlyphs::LABEL);
   glyphs->SetLabelArrayName("Part");
   glyphs->Update();
   EXPECT_EQ(ColorsOf(glyphs->GetOutput()), (Colors{ LabelColor(10), LabelColor(11) }));
@@ -167,9 +167,9 @@ TEST(SkeletonGlyphs, ATubeChangesItsColorWhereTheLabelOfTheNodesDoes)
   skeleton->SetPoints(points);
   skeleton->SetLines(lines);
   skeleton->GetPointData()->AddArray(labels);
-  vtkNew<vtkSkeletonGlyphs> glyphs;
+  vtkNew<vtkMarrowSkeletonGlyphs> glyphs;
   glyphs->SetInputData(skeleton);
-  glyphs->SetColorBy(vtkSkeletonGlyphs::LABEL);
+  glyphs->SetColorBy(vtkMarrowSkeletonGlyphs::LABEL);
   glyphs->Update();
   vtkPolyData* tubes = glyphs->GetOutput();
   ASSERT_GT(tubes->GetNumberOfCells(), 0);
@@ -192,7 +192,7 @@ TEST(SkeletonGlyphs, RegularNodesHaveBallsOnRequest)
 {
   const vtkSmartPointer<vtkPolyData> skeleton = YSkeleton();
   skeleton->GetPointData()->GetArray("NodeType")->SetTuple1(1, 2); // the lowest
-  vtkNew<vtkSkeletonGlyphs> glyphs;
+  vtkNew<vtkMarrowSkeletonGlyphs> glyphs;
   glyphs->SetInputData(skeleton);
   glyphs->SetBallRadius(0.05);
   glyphs->Update();

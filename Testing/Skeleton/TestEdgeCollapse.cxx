@@ -153,7 +153,7 @@ TEST(EdgeCollapse, ATorusKeepsItsHoleAndLosesItsTube)
     skeleton.ExtractBranches();
     EXPECT_EQ(skeleton.NumberOfLoops(), 1) << "tube radius " << tube;
     EXPECT_EQ(skeleton.NumberOfComponents(), 1);
-    // The loop goes round the hole: its nodes stand in every direction from the axis.
+    // The loop goes around the hole: its nodes stand in every direction from the axis.
     double length = 0.0;
     for (const Branch& branch : skeleton.Branches)
     {

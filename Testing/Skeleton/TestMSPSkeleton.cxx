@@ -220,7 +220,7 @@ TEST(MSPSkeleton, FinestAreaDecidesWhatIsALimb)
 }
 
 /// A cylinder of radius 1 along z, with a limb of radius 0.3 and length 3 along x, pulled out of the
-/// disc of radius 0.9 round its middle. Sets `onLimb` of the vertices that stand out.
+/// disc of radius 0.9 around its middle. Sets `onLimb` of the vertices that stand out.
 TriangleMesh MakeCylinderWithLimb(double length, std::vector<char>& onLimb)
 {
   constexpr double Disc = 0.9;

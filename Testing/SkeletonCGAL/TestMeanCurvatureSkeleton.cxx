@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <vtkMeanCurvatureSkeleton.h>
+#include <vtkMarrowMeanCurvatureSkeleton.h>
 #include <vtkSegmentationTransfer.h>
 #include <vtkSkeletonCorrespondence.h>
 
@@ -17,7 +17,7 @@ using namespace marrow;
 
 test::SkeletonResult Skeletonize(vtkPolyData* mesh)
 {
-  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  vtkNew<vtkMarrowMeanCurvatureSkeleton> filter;
   filter->SetInputData(mesh);
   return test::SkeletonResult(filter.Get());
 }
@@ -127,7 +127,7 @@ TEST(MeanCurvatureSkeleton, DoesNotDependOnTheUnit)
 
 TEST(MeanCurvatureSkeleton, ABallGivesAShortCurveOrSaysThatItGivesNone)
 {
-  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  vtkNew<vtkMarrowMeanCurvatureSkeleton> filter;
   test::ErrorObserver errors(filter);
   filter->SetInputData(test::ToPolyData(test::MakeSphere(1.0, 4)));
   filter->Update();
@@ -146,7 +146,7 @@ TEST(MeanCurvatureSkeleton, ABallGivesAShortCurveOrSaysThatItGivesNone)
 TEST(MeanCurvatureSkeleton, WeightsAreThoseOfTheFlow)
 {
   const auto mesh = test::ToPolyData(test::MakeCylinder(1.0, 12.0, 24, 60));
-  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  vtkNew<vtkMarrowMeanCurvatureSkeleton> filter;
   filter->SetInputData(mesh);
   filter->Update();
   const double byDefault = filter->GetOutput(0)->GetLength();
@@ -169,7 +169,7 @@ TEST(MeanCurvatureSkeleton, PointsWithoutTrianglesHaveNoNode)
   }
   const test::SkeletonResult result = Skeletonize(test::ToPolyData(cylinder));
   EXPECT_EQ(result.NodeOfVertex[0], -1);
-  // The numbers of the others are not shifted: φ lies round its node.
+  // The numbers of the others are not shifted: φ lies around its node.
   for (int v = 1; v < cylinder.NumberOfVertices(); ++v)
   {
     const int node = result.NodeOfVertex[v];
@@ -227,7 +227,7 @@ TEST(MeanCurvatureSkeleton, StandsForTheMSPSkeleton)
 
 TEST(MeanCurvatureSkeleton, SaysWhatIsWrong)
 {
-  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  vtkNew<vtkMarrowMeanCurvatureSkeleton> filter;
   test::ErrorObserver errors(filter);
 
   vtkNew<vtkPolyData> empty;
@@ -275,7 +275,7 @@ TEST(MeanCurvatureSkeleton, StopsWhenAsked)
 {
   const test::Creature creature = test::MakeCreature(vtkCreatureSource::SNAKE);
   // Measures are there, so that it is the contraction that is stopped.
-  vtkNew<vtkMeanCurvatureSkeleton> filter;
+  vtkNew<vtkMarrowMeanCurvatureSkeleton> filter;
   test::ErrorObserver errors(filter);
   filter->SetInputData(test::WithMeasures(creature.Mesh));
   vtkNew<test::AbortObserver> abort;

@@ -2,7 +2,6 @@
 #include "AnswerChoice.h"
 #include "CoarseMesh.h"
 #include "TubeShapes.h"
-#include "WholeAlignment.h"
 
 #include <gtest/gtest.h>
 
@@ -55,8 +54,7 @@ MatchedSkeletons MatchEnds(const Tube& source, const Tube& target, bool reversed
 
 std::size_t Choose(const Tube& source, const Tube& target, const std::vector<Answer>& answers)
 {
-  return ChooseAnswer(source.Analyzed, target.Analyzed, answers,
-    AlignWhole(source.Analyzed.Mesh, target.Analyzed.Mesh), {});
+  return ChooseAnswer(source.Analyzed, target.Analyzed, answers, {});
 }
 }
 

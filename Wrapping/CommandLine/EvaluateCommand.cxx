@@ -4,9 +4,11 @@
 #include "Console.h"
 #include "MeshFiles.h"
 
+#include <vtkMarrowSegmentationMetrics.h>
 #include <vtkPolyData.h>
-#include <vtkSegmentationMetrics.h>
 #include <vtkTable.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,26 +18,12 @@
 
 namespace
 {
-std::string Quoted(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    if (c == '"' || c == '\\')
-    {
-      quoted += '\\';
-    }
-    quoted += c;
-  }
-  return quoted + "\"";
-}
-
-/// A measure that is not defined, such as the distance to a boundary that is not there, is `none`.
-std::string Number(double value, const char* none)
+/// A measure that is not defined, such as the distance to a boundary that is not there, is empty.
+std::string Number(double value)
 {
   std::ostringstream text;
   text << std::setprecision(6) << value;
-  return std::isfinite(value) ? text.str() : none;
+  return std::isfinite(value) ? text.str() : "";
 }
 }
 
@@ -56,7 +44,7 @@ CLI::App* EvaluateCommand::Declare(CLI::App& marrow)
   app->footer(
     "CutDiscrepancy, HammingDistance (MissingRate, FalseAlarmRate), RandError and the consistency "
     "errors\nare those of the Princeton segmentation benchmark: 0 is best. LabelAccuracy is the "
-    "share of the area with\nequal ids: 1 is best. See vtkSegmentationMetrics.h.\n\n"
+    "share of the area with\nequal ids: 1 is best. See vtkMarrowSegmentationMetrics.h.\n\n"
     "Examples:\n"
     "  marrow evaluate cow.off --segments cow.seg --reference truth.seg\n"
     "  marrow evaluate cow.vtp --reference human_0.seg human_1.seg human_2.seg --json");
@@ -92,7 +80,7 @@ void EvaluateCommand::Run(Console& console)
 EvaluateCommand::Row EvaluateCommand::Compare(
   vtkPolyData* segmented, vtkPolyData* reference, const std::string& path, Console& console)
 {
-  vtkNew<vtkSegmentationMetrics> metrics;
+  vtkNew<vtkMarrowSegmentationMetrics> metrics;
   metrics->SetInputData(0, segmented);
   metrics->SetInputData(1, reference);
   console.Update(metrics, path);
@@ -158,7 +146,7 @@ void EvaluateCommand::PrintCsv(const std::vector<Row>& rows) const
     std::cout << row.Reference;
     for (const double value : row.Values)
     {
-      std::cout << "," << Number(value, "");
+      std::cout << "," << Number(value);
     }
     std::cout << "\n";
   }
@@ -166,22 +154,23 @@ void EvaluateCommand::PrintCsv(const std::vector<Row>& rows) const
 
 void EvaluateCommand::PrintJson(const std::vector<Row>& rows) const
 {
-  const auto print = [this](const Row& row)
+  // Values that are not finite become null.
+  using Value = nlohmann::ordered_json;
+  const auto measures = [this](Value& to, const Row& row)
   {
     for (std::size_t i = 0; i < row.Values.size(); ++i)
     {
-      std::cout << (i > 0 ? ", " : "") << Quoted(this->Names[i]) << ": "
-                << Number(row.Values[i], "null");
+      to[this->Names[i]] = row.Values[i];
     }
   };
-  std::cout << "{\n  \"mesh\": " << Quoted(this->Mesh) << ",\n  \"references\": [\n";
+  Value json = { { "mesh", this->Mesh }, { "references", Value::array() } };
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
   {
-    std::cout << "    { \"reference\": " << Quoted(rows[i].Reference) << ", ";
-    print(rows[i]);
-    std::cout << (i + 2 < rows.size() ? " },\n" : " }\n");
+    Value reference = { { "reference", rows[i].Reference } };
+    measures(reference, rows[i]);
+    json["references"].push_back(reference);
   }
-  std::cout << "  ],\n  \"mean\": { ";
-  print(rows.back());
-  std::cout << " }\n}\n";
+  measures(json["mean"], rows.back());
+  // Names of files need not be UTF-8, JSON must.
+  std::cout << json.dump(2, ' ', false, Value::error_handler_t::replace) << "\n";
 }

@@ -11,7 +11,7 @@
 class vtkPolyData;
 
 /// `marrow evaluate`: how well segments agree with one or several references
-/// (vtkSegmentationMetrics).
+/// (vtkMarrowSegmentationMetrics).
 class EvaluateCommand : public Command
 {
 public:

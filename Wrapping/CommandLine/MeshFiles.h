@@ -52,7 +52,7 @@ void WriteText(const std::string& path, const std::string& text);
 std::string ReadableMeshes();
 std::vector<std::string> WritableMeshes();
 
-/// The ending with its dot, in small letters: ".vtp".
+/// The extension in lower case, with its dot: ".vtp".
 std::string Extension(const std::string& path);
 
 /// The name without folder and ending: "camel" of "data/camel.off.gz".

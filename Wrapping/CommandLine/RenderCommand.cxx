@@ -5,9 +5,9 @@
 #include "Console.h"
 #include "MeshFiles.h"
 
+#include <vtkMarrowSideBySideScene.h>
+#include <vtkMarrowSkeletonGlyphs.h>
 #include <vtkPolyData.h>
-#include <vtkSideBySideScene.h>
-#include <vtkSkeletonGlyphs.h>
 
 CLI::App* RenderCommand::Declare(CLI::App& marrow)
 {
@@ -79,7 +79,7 @@ void RenderCommand::Run(Console& console)
     throw CommandError("--captions: there are " + std::to_string(this->Captions.size()) + " for " +
       std::to_string(this->Meshes.size()) + " meshes; write one per mesh.");
   }
-  if (!vtkSideBySideScene::HasDisplay())
+  if (!vtkMarrowSideBySideScene::HasDisplay())
   {
     // VTK would end the program itself, with a stack of messages.
     throw CommandError(
@@ -87,7 +87,7 @@ void RenderCommand::Run(Console& console)
       "'xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\"' before the command.");
   }
 
-  vtkNew<vtkSideBySideScene> scene;
+  vtkNew<vtkMarrowSideBySideScene> scene;
   scene->SetViewUp(this->ViewUp.data());
   scene->SetViewDirection(this->ViewDirection.data());
   scene->SetAzimuth(this->Azimuth);
@@ -98,7 +98,7 @@ void RenderCommand::Run(Console& console)
   scene->SetTileHeight(this->TileSize[1]);
   if (this->ShowMatches)
   {
-    scene->SetColorSkeletonBy(vtkSkeletonGlyphs::CORRESPONDENCE);
+    scene->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
     scene->ShowLinksOn();
   }
   const double opacity = this->Skeletons.empty() ? 1.0 : 0.3;

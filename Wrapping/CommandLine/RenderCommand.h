@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// `marrow render`: meshes side by side in one picture (vtkSideBySideScene).
+/// `marrow render`: meshes side by side in one picture (vtkMarrowSideBySideScene).
 class RenderCommand : public Command
 {
 public:

@@ -18,8 +18,8 @@ constexpr std::size_t NumberOfBranches = 12;
 constexpr std::size_t NumberOfNeighbors = SmallCollection / 3;
 
 /// Prim's algorithm: pairs that join all shapes at the least sum of distances.
-void AddSpanningTree(const std::vector<std::vector<double>>& sketches,
-  const std::function<void(int, int)>& add)
+void AddSpanningTree(
+  const std::vector<std::vector<double>>& sketches, const std::function<void(int, int)>& add)
 {
   const int n = static_cast<int>(sketches.size());
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());

@@ -16,9 +16,6 @@ namespace marrow
 {
 namespace
 {
-/// As in ChooseAnswer: smaller differences are noise of the coarse maps.
-constexpr double Margin = 0.01;
-
 /// What a file of a pair begins with; the number changes with all that the results depend on.
 constexpr const char* Signature = "Marrow pair 1\n";
 
@@ -62,8 +59,8 @@ bool ShapePair::MatchAgain(const Progress& progress)
   const std::lock_guard<std::mutex> lock(this->Guard);
   if (this->Answers.empty())
   {
-    this->Answers = marrow::FindAnswers(
-      this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, progress);
+    this->Answers =
+      marrow::FindAnswers(this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, progress);
   }
   return !this->Answers.empty();
 }
@@ -106,15 +103,12 @@ bool ShapePair::FindAnswers(const Progress& progress)
 
 std::size_t ShapePair::LikeliestAnswer() const
 {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < this->Tried.size(); ++i)
+  std::vector<double> against;
+  for (const TriedAnswer& tried : this->Tried)
   {
-    if (this->Tried[i].Against < this->Tried[best].Against - (best == 0 ? Margin : 0.0))
-    {
-      best = i;
-    }
+    against.push_back(tried.Against);
   }
-  return best;
+  return marrow::LikeliestAnswer(against);
 }
 
 bool ShapePair::IsCarried(int side, std::size_t answer) const
@@ -143,14 +137,12 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   const DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother),
     AlignWhole(source.Mesh, target.Mesh));
   bool isStopped = false;
-  const DenseMap map =
-    mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(),
-      [&](double fraction)
-      {
-        isStopped = isStopped ||
-          !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
-        return !isStopped;
-      });
+  const DenseMap map = mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(),
+    [&](double fraction)
+    {
+      isStopped = isStopped || !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
+      return !isStopped;
+    });
   if (!isStopped)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -216,8 +208,8 @@ bool ShapePair::Read(std::istream& stream)
       {
         std::uint8_t isWhole = 0;
         if (!ReadValue(stream, isWhole) ||
-          !ReadVector(stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(),
-            tried.FoundTriangles[side]))
+          !ReadVector(
+            stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(), tried.FoundTriangles[side]))
         {
           return false;
         }

@@ -56,7 +56,7 @@ std::vector<int> WithoutIslands(const TriangleMesh& mesh, const std::vector<int>
 
 void LabelHabits::Add(const TriangleMesh& mesh, const std::vector<int>& labels, double weight)
 {
-  this->Sum += weight * PreferenceOf(mesh, labels);
+  this->Sum += weight * PreferenceOf(mesh, labels, BlendWidth);
   this->Weight += weight;
   const SegmentPieces pieces = FindPieces(mesh, labels);
   const double area = std::accumulate(pieces.AreaOfPiece.begin(), pieces.AreaOfPiece.end(), 0.0);
@@ -98,8 +98,7 @@ CutLabels CutShares(const TriangleMesh& mesh, const LabelShares& shares,
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     result.Labels.push_back(labels[columns[t]]);
-    result.Shares.push_back(
-      std::clamp(ShareOfTriangle(mesh, blended, t, columns[t]), 0.0, 1.0));
+    result.Shares.push_back(std::clamp(ShareOfTriangle(mesh, blended, t, columns[t]), 0.0, 1.0));
   }
   return result;
 }

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterSupport.h"
 
+#include "VTKVersions.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkVersionMacros.h>
 
 namespace marrow
 {
 bool IsAborted(vtkAlgorithm* filter)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
-  return filter->CheckAbort();
-#else
-  return filter->GetAbortExecute() != 0;
-#endif
+  return versions::CheckAbort(filter);
 }
 
 bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
@@ -28,7 +25,7 @@ bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
 
 Progress ProgressOf(vtkAlgorithm* filter, double from, double to)
 {
-  // Nobody sees smaller steps, and who watches may be slow.
+  // Throttled, as observers can be slow and nobody sees smaller steps.
   constexpr double leastStep = 0.001;
   return [filter, from, to, told = -1.0](double fraction) mutable
   {

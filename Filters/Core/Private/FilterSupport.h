@@ -8,7 +8,7 @@ class vtkAlgorithm;
 class vtkDataSet;
 class vtkInformationVector;
 
-/// What every filter of ours needs of VTK, and where VTK's versions differ.
+/// What every filter of ours needs of VTK.
 namespace marrow
 {
 /// Whether the user asked the filter to stop. Call from one thread only.

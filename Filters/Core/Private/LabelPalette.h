@@ -6,7 +6,7 @@
 
 namespace marrow
 {
-/// The colours of labels from 0 on, red, green and blue; vtkLabelColors says where they come from.
+/// The colours of labels from 0 on, red, green and blue; vtkMarrowLabelColors says where they come from.
 inline constexpr std::array<std::array<unsigned char, 3>, 24> LabelPalette = { {
   { 204, 121, 167 }, // reddish purple
   { 230, 159, 0 },   // orange

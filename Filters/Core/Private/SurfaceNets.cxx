@@ -296,7 +296,7 @@ TriangleMesh SurfaceNets(const std::function<double(const Eigen::Vector3d&)>& fu
           {
             continue;
           }
-          // The four cells round the edge, counter-clockwise as seen from its far end.
+          // The four cells around the edge, counter-clockwise as seen from its far end.
           const Index u = Index::Unit((axis + 1) % 3);
           const Index v = Index::Unit((axis + 2) % 3);
           const Index here = block.First + cell;

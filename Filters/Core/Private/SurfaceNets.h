@@ -9,7 +9,7 @@
 namespace marrow
 {
 /// Triangulates the zero set of `function` (negative inside) on a grid, after Gibson's surface
-/// nets: one vertex in every cell that the surface crosses, a quadrilateral round every grid edge
+/// nets: one vertex in every cell that the surface crosses, a quadrilateral around every grid edge
 /// that it crosses. Chosen before marching cubes as its triangles are even and come in the same
 /// number per area everywhere. `function` must change no faster than distance does: whole blocks
 /// are left out on the strength of their middle, and where it does change faster holes may be left. The result is oriented outward and its

@@ -38,7 +38,7 @@ struct TriangleMesh
   int From(int halfEdge) const { return this->Triangles[halfEdge / 3][halfEdge % 3]; }
   int To(int halfEdge) const { return this->From(Next(halfEdge)); }
 
-  /// Calls visit(halfEdge) for every half-edge that leaves `vertex`, in order round the vertex.
+  /// Calls visit(halfEdge) for every half-edge that leaves `vertex`, in order around the vertex.
   /// On a border the last neighbour has no leaving half-edge: it is From(Previous(last half-edge)).
   template <typename Visit>
   void ForEachOutgoing(int vertex, Visit&& visit) const
@@ -79,7 +79,7 @@ struct TriangleMesh
   Eigen::Vector3d Centroid(int triangle) const;
 
   std::vector<double> TriangleAreas() const;
-  /// A third of the area of the triangles round each vertex.
+  /// A third of the area of the triangles around each vertex.
   std::vector<double> VertexAreas() const;
   /// Angle-weighted unit normals; zero where a vertex has no triangle of positive area.
   std::vector<Eigen::Vector3d> VertexNormals() const;

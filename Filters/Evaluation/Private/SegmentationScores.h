@@ -8,7 +8,7 @@
 
 namespace marrow
 {
-/// The measures of vtkSegmentationMetrics, whose header says what they mean.
+/// The measures of vtkMarrowSegmentationMetrics, whose header says what they mean.
 struct SegmentationScores
 {
   double CutDiscrepancy = 0.0;

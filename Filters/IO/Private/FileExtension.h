@@ -6,7 +6,7 @@
 
 namespace marrow
 {
-/// The ending of a file's name in small letters: ".off", also of "CAMEL.OFF.GZ".
+/// The extension of a file's name in lower case: ".off", also of "CAMEL.OFF.GZ".
 std::string ExtensionOfFormat(const std::string& fileName);
 
 /// One sentence if the name ends in none of `extensions`, which spaces separate; else an empty one.

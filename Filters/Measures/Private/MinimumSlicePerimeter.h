@@ -25,7 +25,7 @@ struct SliceField
 /// hold the vertex and its normal and are turned by π / numberOfSlices from one to the next.
 ///
 /// The first plane is perpendicular to the direction in which the surface bends least, taken from
-/// the dihedral angles of the edges round the vertex; where the surface is flat it follows the
+/// the dihedral angles of the edges around the vertex; where the surface is flat it follows the
 /// direction from the centroid of the mesh. Both turn and scale with the mesh and know nothing of
 /// the order of vertices. On a limb the first plane is thus the one across it.
 ///

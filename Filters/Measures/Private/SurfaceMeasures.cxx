@@ -12,7 +12,7 @@ namespace
 // Against the curvature term, which is an angle of some hundredths in the roundest of flat places.
 constexpr double CentroidWeight = 1e-6;
 
-/// Calls visit(half-edge) once for every edge of the triangles round a vertex.
+/// Calls visit(half-edge) once for every edge of the triangles around a vertex.
 template <typename Visit>
 void ForEachEdgeOfStar(const TriangleMesh& mesh, int vertex, Visit&& visit)
 {

@@ -20,14 +20,14 @@ std::vector<double> VertexDihedralAngles(const TriangleMesh& mesh);
 
 /// Per vertex: the unit tangent direction along which the surface bends least. It is the main
 /// direction of the sum of |angle| × length × e eᵀ over the edges, of unit direction e, of the
-/// triangles round the vertex (the curvature measure of Cohen-Steiner and Morvan 2003), to which a
+/// triangles around the vertex (the curvature measure of Cohen-Steiner and Morvan 2003), to which a
 /// trace of the direction from the mesh's centroid is added that decides where the surface is flat.
 /// Zero where the normal is.
 std::vector<Eigen::Vector3d> LeastBendingDirections(
   const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& normals);
 
 /// Per vertex q (T:3.4): 1 / |B| × sum over the edges e = (i, j) of B of (f(i) - f(j)) |e| ê, where
-/// B is the triangles round q, |B| their area and ê the unit direction from j to i. Dimensionless
+/// B is the triangles around q, |B| their area and ê the unit direction from j to i. Dimensionless
 /// for a function f that is a length; it points to where f grows.
 std::vector<Eigen::Vector3d> VertexGradient(
   const TriangleMesh& mesh, const std::vector<double>& function);

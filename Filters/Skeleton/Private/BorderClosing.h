@@ -17,7 +17,7 @@ struct ClosedMesh
   std::vector<double> MSP;
 };
 
-/// Closes every border of a manifold mesh by a fan round one new vertex in its middle, so that an open
+/// Closes every border of a manifold mesh by a fan around one new vertex in its middle, so that an open
 /// mesh collapses like the solid it bounds. The new vertex has the mean position and MSP of its border.
 ClosedMesh CloseBorders(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& position,
   const std::vector<double>& msp);

@@ -12,8 +12,8 @@ namespace marrow
 namespace
 {
 constexpr double SamplingWeight = 0.1;
-/// A loop that may be closed is short against the perimeter of the part it goes round: on the shrunk
-/// mesh a loop round a tube has nearly no length, one through a hole at least the hole's own.
+/// A loop that may be closed is short against the perimeter of the part it goes around: on the shrunk
+/// mesh a loop around a tube has nearly no length, one through a hole at least the hole's own.
 constexpr double TubeLoop = 0.5;
 }
 

@@ -16,7 +16,7 @@ namespace marrow
 /// summed squared distances to the lines of the edges that were merged into the vertex.
 ///
 /// Homotopy is held by construction: an edge annotation tells whether a collapse closes a loop that
-/// does not bound. Only as many as the genus may be closed, those round the tubes: short where the
+/// does not bound. Only as many as the genus may be closed, those around the tubes: short where the
 /// perimeter of the part is long. So a closed mesh of genus g gives g independent loops per component.
 ///
 /// `closedMesh` is closed and manifold; `position` and `msp` have one value per vertex.

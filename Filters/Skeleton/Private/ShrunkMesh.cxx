@@ -17,8 +17,8 @@ namespace marrow
 {
 namespace
 {
-/// dMSP / ds on a cone of 30° half-angle: 2π sin 30°.
-constexpr double HonestSlope = Pi;
+/// Of a perimeter along the surface: dMSP / ds on a cone of 30° half-angle, 2π sin 30°.
+constexpr double MaximumSlope = Pi;
 /// Length of smoothing over the local radius.
 constexpr double SmoothingLength = 1.0 / 3.0;
 /// No vertex is left without any say: keeps the system definite on a part without a good slice.
@@ -26,8 +26,9 @@ constexpr double LeastReliability = 1e-4;
 /// The trust in a slice that did not close.
 constexpr double InvalidReliability = 1e-2;
 
-/// The largest function below `msp` whose slope along the edges is at most HonestSlope.
-std::vector<double> SlopeLimited(const TriangleMesh& mesh, const std::vector<double>& msp)
+/// The Lipschitz lower envelope of `msp`: the largest function below it whose slope along the edges is at
+/// most MaximumSlope.
+std::vector<double> LipschitzEnvelope(const TriangleMesh& mesh, const std::vector<double>& msp)
 {
   std::vector<double> limited = msp;
   using Entry = std::pair<double, int>;
@@ -50,7 +51,7 @@ std::vector<double> SlopeLimited(const TriangleMesh& mesh, const std::vector<dou
       [&, from = v, base = value](int neighbor)
       {
         const double reached =
-          base + HonestSlope * (mesh.Points[neighbor] - mesh.Points[from]).norm();
+          base + MaximumSlope * (mesh.Points[neighbor] - mesh.Points[from]).norm();
         if (reached < limited[neighbor])
         {
           limited[neighbor] = reached;
@@ -77,7 +78,7 @@ double ClampedCotangent(const TriangleMesh& mesh, int halfEdge)
 std::vector<double> SliceReliability(
   const TriangleMesh& mesh, const std::vector<double>& msp, const std::vector<unsigned char>& valid)
 {
-  std::vector<double> reliability = SlopeLimited(mesh, msp);
+  std::vector<double> reliability = LipschitzEnvelope(mesh, msp);
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
     const double ratio = msp[v] > 0.0 ? reliability[v] / msp[v] : 0.0;
@@ -91,7 +92,7 @@ std::vector<Eigen::Vector3d> ShrinkMesh(const TriangleMesh& mesh, const std::vec
 {
   const int numberOfVertices = mesh.NumberOfVertices();
   const std::vector<double> area = mesh.VertexAreas();
-  const std::vector<double> honest = SlopeLimited(mesh, msp);
+  const std::vector<double> perimeter = LipschitzEnvelope(mesh, msp);
 
   Eigen::MatrixX3d right(numberOfVertices, 3);
   Eigen::MatrixX3d start(numberOfVertices, 3);
@@ -102,7 +103,7 @@ std::vector<Eigen::Vector3d> ShrinkMesh(const TriangleMesh& mesh, const std::vec
   {
     const int i = mesh.From(h);
     const int j = mesh.To(h);
-    const double length = SmoothingLength * 0.5 * (honest[i] + honest[j]) / (2.0 * Pi);
+    const double length = SmoothingLength * 0.5 * (perimeter[i] + perimeter[j]) / (2.0 * Pi);
     const double weight = 0.5 * ClampedCotangent(mesh, h) * length * length;
     diagonal[i] += weight;
     diagonal[j] += weight;

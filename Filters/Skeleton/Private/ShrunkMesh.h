@@ -12,7 +12,7 @@ namespace marrow
 ///
 /// Round a limb neighbouring vertices have like slices. At a tip, on a flat foot or in a joint no
 /// plane through the normal cuts across the part, and the least perimeter jumps up to that of a slice
-/// lengthwise. An honest perimeter grows along the surface no faster than on a cone of 30° half-angle
+/// lengthwise. The perimeter of a slice across grows along the surface no faster than on a cone of 30° half-angle
 /// (slope π): the reliability is the square of the largest such function below the MSP, over the MSP.
 std::vector<double> SliceReliability(const TriangleMesh& mesh, const std::vector<double>& msp,
   const std::vector<unsigned char>& valid);

@@ -191,6 +191,6 @@ std::string ComputeMeanCurvatureSkeleton(const TriangleMesh& mesh,
   skeleton = {};
   return stopped ? std::string()
                  : "CGAL's mean curvature flow gives no skeleton of this mesh (" + reason +
-      "): remesh it with evener triangles, or use vtkMSPSkeleton.";
+      "): remesh it with more uniform triangles, or use vtkMSPSkeleton.";
 }
 }

@@ -126,7 +126,7 @@ double CollarArea(const TriangleMesh& mesh, const Loop& loop, double reach)
 void Fill(MendedMesh& mesh, const Loop& loop)
 {
   TriangleMesh& triangles = mesh.Mesh;
-  // Against the border's direction, so that the new triangles agree with those round the hole.
+  // Against the border's direction, so that the new triangles agree with those around the hole.
   const int size = static_cast<int>(loop.size());
   std::vector<Eigen::Vector3d> corners;
   std::vector<int> vertices;

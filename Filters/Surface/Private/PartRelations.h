@@ -21,7 +21,7 @@ struct PartRelations
 };
 
 /// A part is a crumb if less than `leastShare` of the area of the largest is in it, and inside another
-/// if that winds round its points. Parts touch if they cross, or if they meet, up to the rounding of
+/// if that winds around its points. Parts touch if they cross, or if they meet, up to the rounding of
 /// single precision, over more than `resolution`: a point in common does not join them. The mesh is in
 /// shreds if the crumbs outweigh the bodies, if a band of width `resolution` along all borders would
 /// cover a quarter of it, or if more pairs of parts meet than there are triangles. False if aborted.

@@ -31,7 +31,7 @@ public:
   Hit Nearest(
     const Eigen::Vector3d& point, double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// How often the triangles wind round a point: about 1 inside a closed part, 0 outside, and in
+  /// How often the triangles wind around a point: about 1 inside a closed part, 0 outside, and in
   /// between near the holes of an open one. Far triangles count together, as in the fast winding
   /// number (Barill et al. 2018), right to within a few hundredths. O(log n).
   double WindingNumber(const Eigen::Vector3d& point) const;

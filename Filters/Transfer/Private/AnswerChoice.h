@@ -8,8 +8,6 @@
 #include "MatchedSkeletons.h"
 #include "Progress.h"
 
-#include <Eigen/Core>
-
 #include <vector>
 
 namespace marrow
@@ -28,12 +26,12 @@ inline constexpr std::size_t MostAnswers = 10;
 /// What speaks against an answer.
 struct Evidence
 {
-  double Cost = 1.0; ///< by the skeletons; 1 where nothing is matched
-  /// Mean |log of MSP here over MSP there|, at most 1 each, the median ratio aside.
-  double Thickness = 0.0;
-  double Cover = 0.0; ///< how unevenly the source is hit, [0,1]
+  double Cost = 1.0;      ///< by the skeletons; 1 where nothing is matched
+  double Thickness = 0.0; ///< mean |log of MSP here over MSP there|, sizes aside, at most 1 each
+  double Cover = 0.0;     ///< how unevenly the other surface is hit, [0,1]
+  double Turned = 0.0;    ///< mean of 1 - cosine of the normals, [0,2]
 
-  double Sum() const { return this->Cost + this->Thickness + this->Cover; }
+  double Sum() const { return this->Cost + this->Thickness + this->Cover + this->Turned; }
 };
 
 /// An answer carried out coarsely.
@@ -48,15 +46,17 @@ struct AnswerTrial
 AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
   const Answer& answer);
 
-/// Carries every answer out coarsely, by a dense map between some 1000 points, and takes that against
-/// which least is to be said: head and tail, or two fingers, may be alike in length but not in
-/// thickness, and a wrong answer maps much of the target to one place and leaves others empty. The
-/// three are of one order, and count alike. Returns the index; that of the first, if no other is
-/// better by more than noise. `whole` is
-/// AlignWhole's.
+/// By the mean of Evidence's sum there and back, per answer: the index of the least; of equals the
+/// first, and the very first if no other is better by more than noise.
+std::size_t LikeliestAnswer(const std::vector<double>& against);
+
+/// Carries every answer out coarsely, by dense maps between some 1000 points from target to source
+/// and back, and takes that against which least is to be said: head and tail, or two fingers, may be
+/// similar in length but not in thickness, and a wrong answer maps much of a surface to one place and
+/// leaves others empty. The four pieces of evidence are of one order, and count alike. Returns the
+/// index; 0 if `progress` asked to stop.
 std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const std::vector<Answer>& answers, const Eigen::Matrix<double, 3, 4>& whole,
-  const Progress& progress);
+  const std::vector<Answer>& answers, const Progress& progress);
 }
 
 #endif

@@ -161,6 +161,20 @@ double DenseMapper::Misfit(
   return total > 0.0 ? sum / total : 1.0;
 }
 
+double DenseMapper::Standoff(const DenseMap& map) const
+{
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t v = 0; v < map.Places.size(); ++v)
+  {
+    const int found = map.FoundTriangles[v];
+    const Eigen::Vector3d offset = map.Places[v].Position - this->Search->Centroid(found);
+    sum += this->Areas[v] * std::abs(offset.dot(this->Search->Normal(found)));
+    total += this->Areas[v];
+  }
+  return total > 0.0 ? sum / (total * std::max(this->Source.Diagonal(), 1e-300)) : 0.0;
+}
+
 DenseMap DenseMapper::Map(
   const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const
 {
@@ -186,6 +200,7 @@ DenseMap DenseMapper::Map(
       map.IsWholeAlignment = false;
     }
   }
+  map.Standoff = this->Standoff(map);
   for (int round = 0; round < NumberOfCorrections; ++round)
   {
     if (!Report(progress, (round + 1.0) / (NumberOfCorrections + 1.0)))

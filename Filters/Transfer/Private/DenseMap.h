@@ -23,6 +23,9 @@ struct DenseMap
   std::vector<int> FoundTriangles; ///< per target vertex the source's triangle there
   std::vector<double> Certainty;   ///< per target vertex: 1 on matched branches, else less
   bool IsWholeAlignment = true;    ///< the skeletons were of no use
+  /// How far the target stood off the source's surface before the corrections, on average, of the
+  /// source's diagonal: how different the shapes are, and so how far the map may be wrong.
+  double Standoff = 0.0;
 };
 
 /// Maps one target to one source, for one matching of their skeletons after the other.
@@ -63,6 +66,7 @@ private:
   std::vector<int> FindAll(const std::vector<SourceSearch::Query>& queries) const;
   double Misfit(
     const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const;
+  double Standoff(const DenseMap& map) const;
 
   const AnalyzedMesh& Source;
   const AnalyzedMesh& Target;

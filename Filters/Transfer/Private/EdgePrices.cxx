@@ -94,9 +94,10 @@ double ConcavityPreference(const TriangleMesh& mesh, const std::vector<double>& 
   return low;
 }
 
-double PreferenceOf(const TriangleMesh& mesh, const std::vector<int>& segmentOfTriangle)
+double PreferenceOf(
+  const TriangleMesh& mesh, const std::vector<int>& segmentOfTriangle, double width)
 {
-  const MeshSmoother blend(mesh, BlendWidth * mesh.BoundingBoxDiagonal());
+  const MeshSmoother blend(mesh, width * mesh.BoundingBoxDiagonal());
   return ConcavityPreference(mesh, EdgeConcavity(mesh, blend), segmentOfTriangle);
 }
 

@@ -10,7 +10,7 @@
 namespace marrow
 {
 /// The width over which segments blend at their boundaries and concavity is measured, of the
-/// diagonal; any from 0.005 to 0.02 does.
+/// diagonal, where many maps are blended and none of them says it; any from 0.005 to 0.02 does.
 inline constexpr double BlendWidth = 0.01;
 
 /// How concave the surface is at each edge: the angle in radians, at most 1, by which the normals
@@ -25,8 +25,10 @@ std::vector<double> EdgeConcavity(const TriangleMesh& mesh, const MeshSmoother& 
 double ConcavityPreference(const TriangleMesh& mesh, const std::vector<double>& concavity,
   const std::vector<int>& segmentOfTriangle);
 
-/// The same of a mesh and its segmentation alone, with concavity measured over BlendWidth.
-double PreferenceOf(const TriangleMesh& mesh, const std::vector<int>& segmentOfTriangle);
+/// The same of a mesh and its segmentation alone, with concavity measured over `width`, of the
+/// diagonal.
+double PreferenceOf(
+  const TriangleMesh& mesh, const std::vector<int>& segmentOfTriangle, double width);
 
 /// What it costs to run a boundary along an edge, per half-edge as above: length over the diagonal of
 /// the bounding box × exp(−preference × concavity), at least a twentieth of the length: if creases

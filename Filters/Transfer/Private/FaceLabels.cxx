@@ -10,9 +10,9 @@ namespace marrow
 {
 namespace
 {
-/// What a boundary of the length of the diagonal weighs against the whole area; anything from 0.1 to
-/// 0.3 does.
-constexpr double BoundaryWeight = 0.2;
+/// What a boundary of the length of the diagonal weighs against the whole area; anything from 0.3 to
+/// 0.8 does.
+constexpr double BoundaryWeight = 0.4;
 /// Smaller shares are what smoothing leaves far away, and no evidence.
 constexpr double LeastShare = 1e-3;
 /// A segment's core: where its share is the largest of all and nearly what it is at most.

@@ -24,6 +24,18 @@ namespace marrow
 {
 namespace
 {
+/// The width over which segments blend at their boundaries and concavity is measured, of the
+/// diagonal: as far as the map may be wrong along the surface, so that between equal shapes boundaries
+/// stay as they are, and between different ones the target's own shape decides where they run.
+/// Anything from 1 to 2 times the standoff does.
+double WidthFor(const DenseMap& map)
+{
+  constexpr double perStandoff = 1.5;
+  constexpr double least = 1e-4;
+  constexpr double most = 0.03;
+  return std::clamp(perStandoff * map.Standoff, least, most);
+}
+
 /// Pieces that lie for the most part on matched branches, or hold a part of what is matched: a matched
 /// node whose φ lies for the most part in them. (A patch on a limb holds no node; a body is one even
 /// if most of its surface belongs to a branch of its own that has no partner.)
@@ -152,7 +164,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return !result.IsAborted;
   };
   const Eigen::Matrix<double, 3, 4> whole = AlignWhole(source.Mesh, target.Mesh);
-  result.Answer = ChooseAnswer(source, target, answers, whole, SubProgress(watched, 0.0, 0.3));
+  result.Answer = ChooseAnswer(source, target, answers, SubProgress(watched, 0.0, 0.3));
   if (result.IsAborted)
   {
     return result;
@@ -205,12 +217,13 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
-  const MeshSmoother blend(target.Mesh, BlendWidth * target.Diagonal());
+  const double width = WidthFor(map);
+  const MeshSmoother blend(target.Mesh, width * target.Diagonal());
   const Eigen::MatrixXd shares =
     blend.Smooth(mapper.Shares(map, pieces.PieceOfTriangle, pieces.NumberOfPieces()));
   std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, shares,
     EdgePrices(target.Mesh, EdgeConcavity(target.Mesh, blend),
-      PreferenceOf(source.Mesh, pieces.PieceOfTriangle)),
+      PreferenceOf(source.Mesh, pieces.PieceOfTriangle, width)),
     excluded, SubProgress(watched, 0.8, 0.95));
   if (!watched(0.95))
   {

@@ -9,7 +9,7 @@ namespace marrow::bench
 enum class SkeletonKind
 {
   MSP,          ///< vtkMSPSkeleton
-  MeanCurvature ///< vtkMeanCurvatureSkeleton
+  MeanCurvature ///< vtkMarrowMeanCurvatureSkeleton
 };
 
 /// Of vtkSkeletonCorrespondence.

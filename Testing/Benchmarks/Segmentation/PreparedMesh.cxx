@@ -10,7 +10,7 @@
 #include "vtkMSPSkeleton.h"
 #include "vtkMarrowMeshReader.h"
 #ifdef MARROW_BENCHMARK_CGAL
-#include "vtkMeanCurvatureSkeleton.h"
+#include "vtkMarrowMeanCurvatureSkeleton.h"
 #endif
 
 #include <vtkCellData.h>
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyDataAlgorithm> NewSkeletonFilter(SkeletonKind kind)
 #ifdef MARROW_BENCHMARK_CGAL
   if (kind == SkeletonKind::MeanCurvature)
   {
-    return vtkSmartPointer<vtkMeanCurvatureSkeleton>::New();
+    return vtkSmartPointer<vtkMarrowMeanCurvatureSkeleton>::New();
   }
 #endif
   (void)kind;

@@ -38,7 +38,7 @@ struct PreparedMesh
   std::string Error; ///< why there is no skeleton; empty if all went well
 };
 
-/// Whether the program was built with vtkMeanCurvatureSkeleton.
+/// Whether the program was built with vtkMarrowMeanCurvatureSkeleton.
 bool HasMeanCurvatureSkeleton();
 
 /// Runs vtkMSPField and the skeleton's filter with their defaults on the mesh; fills Surface,

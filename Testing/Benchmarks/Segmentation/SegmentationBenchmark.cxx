@@ -2,10 +2,8 @@
 // marrow-benchmark-segmentation: every mesh of a labelled collection as the source, every other mesh
 // of its category as the target; see README.md beside this file.
 #include "BenchmarkRun.h"
-#include "HtmlReport.h"
 #include "Ranks.h"
 #include "Summary.h"
-#include "Thumbnails.h"
 
 #include <vtkFileOutputWindow.h>
 #include <vtkLogger.h>
@@ -15,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -36,34 +33,9 @@ void RedirectMessages(const std::string& resultFolder)
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
-/// The pairs of least label accuracy, a few of each category.
-std::vector<Result> WorstPairs(const std::vector<Result>& pairs)
-{
-  constexpr std::size_t ofEach = 2;
-  std::map<std::string, std::vector<Result>> ofCategory;
-  for (const Result& pair : pairs)
-  {
-    if (!std::isnan(pair.Value("label_accuracy")))
-    {
-      ofCategory[pair.Category].push_back(pair);
-    }
-  }
-  std::vector<Result> worst;
-  for (auto& [category, results] : ofCategory)
-  {
-    const auto end = results.begin() + std::min(ofEach, results.size());
-    std::partial_sort(results.begin(), end, results.end(),
-      [](const Result& a, const Result& b)
-      { return a.Value("label_accuracy") < b.Value("label_accuracy"); });
-    worst.insert(worst.end(), results.begin(), end);
-  }
-  return worst;
-}
-
-void WriteReports(
+void WriteSummaries(
   const BenchmarkRun& run, const BenchmarkOptions& options, const ReferenceFigures& figures)
 {
-  const std::vector<Result> pairs = run.Pairs();
   const std::vector<Result> meshes = run.Meshes();
   std::vector<std::string> names;
   for (const Category& category : ReadIndex(options.DataFolder))
@@ -74,20 +46,10 @@ void WriteReports(
       names.push_back(category.Name);
     }
   }
-  const std::vector<SummaryRow> summary = Summarize(names, pairs, meshes, figures);
+  const std::vector<SummaryRow> summary = Summarize(names, run.Pairs(), meshes, figures);
   WriteSummary(summary, options.Method, options.ResultFolder + "/summary.csv");
   std::cout << options.Method.Name() << "\n";
   PrintSummary(summary, std::cout);
-  std::vector<Picture> pictures;
-  if (CanDraw())
-  {
-    for (const Result& pair : WorstPairs(pairs))
-    {
-      pictures.emplace_back(pair, DrawThumbnail(options.DataFolder, options.ResultFolder, pair));
-    }
-  }
-  WriteHtmlReport(
-    options.ResultFolder + "/report.html", options.Method, summary, pairs, meshes, pictures);
 }
 }
 
@@ -109,7 +71,8 @@ int main(int argc, char** argv)
   app.add_option("--category", options.Categories, "Only these categories");
   const std::map<std::string, SkeletonKind> skeletons = { { "msp", SkeletonKind::MSP },
     { "curvature", SkeletonKind::MeanCurvature } };
-  app.add_option("--skeleton", options.Method.Skeleton, "msp (default), or the peer: curvature")
+  app
+    .add_option("--skeleton", options.Method.Skeleton, "msp (default), or the baseline: curvature")
     ->transform(CLI::CheckedTransformer(skeletons))
     ->check(
       [](const std::string& kind)
@@ -123,7 +86,7 @@ int main(int argc, char** argv)
     { "electors", MatcherKind::Electors } };
   app
     .add_option(
-      "--matcher", options.Method.Matcher, "tree (default), or the peer: electors (voting)")
+      "--matcher", options.Method.Matcher, "tree (default), or the baseline: electors (voting)")
     ->transform(CLI::CheckedTransformer(matchers));
   const std::map<std::string, LastStage> stages = { { "skeleton", LastStage::Skeleton },
     { "correspondence", LastStage::Correspondence }, { "transfer", LastStage::Transfer } };
@@ -148,7 +111,7 @@ int main(int argc, char** argv)
     run.Measure();
     if (processes.IsFirst())
     {
-      WriteReports(run, options, figures);
+      WriteSummaries(run, options, figures);
     }
   }
   catch (const std::exception& error)

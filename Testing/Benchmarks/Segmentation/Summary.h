@@ -32,7 +32,7 @@ struct SummaryRow
 ///   consistent_share, left_right_share, front_back_share (of the pairs judged by feature points),
 ///   coverage, inside_share, terminal_recall, terminal_precision;
 /// - spurs_per_mesh; wrong_loops (meshes whose loops differ from the genus); pairs, errors;
-/// - the peers of figures.json.
+/// - the baselines of figures.json.
 const std::vector<std::string>& SummaryColumns();
 
 /// The categories in the order of `categories`, then the groups.

@@ -2,7 +2,7 @@
 #include "LabelColorMaps.h"
 
 #include <vtkIdTypeArray.h>
-#include <vtkLabelColors.h>
+#include <vtkMarrowLabelColors.h>
 #include <vtkSMSettings.h>
 
 #include <sstream>
@@ -26,7 +26,7 @@ std::string LabelColorMap()
   for (int label = -1; label <= LastLabel; ++label)
   {
     double rgb[3];
-    vtkLabelColors::GetColor(label, rgb);
+    vtkMarrowLabelColors::GetColor(label, rgb);
     const char* separator = label < 0 ? "" : ", ";
     annotations << separator << '"' << label << "\", \"" << (label < 0 ? "none" : "")
                 << (label < 0 ? "" : std::to_string(label)) << '"';

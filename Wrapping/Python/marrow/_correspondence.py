@@ -113,32 +113,42 @@ def correspond(
     ----------
     source, target
         Skeletons; of meshes, the skeletons are computed by the defaults of marrow.skeleton.
-    matcher : "correspondence_tree" or "electors_voting"
+    matcher : "correspondence_tree" or "electors_voting", default: "correspondence_tree"
         The method; the second is there for comparisons.
-    leaf_index : int, 0 or more
+    leaf_index : int, 0 or more, default: 0
         Which answer to give; 0 is the best.
-    global_selection : bool
+    global_selection : bool, default: True
         Judge the answers by the whole skeletons, or by the junctions only, as the paper does.
-    junction_threshold : float, 0 to 1
+    junction_threshold : float, 0 to 1, default: 0.02
         Junctions match at once up to this cost.
-    merge_distance : float, 0 to 1
+    merge_distance : float, 0 to 1, default: 0.075
         Junctions no further apart may be merged; over the diagonal of the bounding box.
-    cluster_distance : float, 0 to 10
-        Branches of a junction are alike up to this difference of their thickness.
-    descriptor_pieces : int, 1 to 256
+    cluster_distance : float, 0 to 10, default: 0.1
+        Branches of a junction are similar up to this difference of their thickness.
+    descriptor_pieces : int, 1 to 256, default: 8
         In how many pieces the thickness along a branch is described.
-    centricity_tolerance : float, 0 to 1
+    centricity_tolerance : float, 0 to 1, default: 0.4
         Electors voting: nodes whose agd differs by more do not match.
-    path_tolerance : float, 0 to 1
+    path_tolerance : float, 0 to 1, default: 0.3
         Electors voting: the same for the lengths of the paths between nodes, over the longest.
-    spatial_tolerance : float, 0 to 2
+    spatial_tolerance : float, 0 to 2, default: 0.35
         Electors voting: the share of the nodes' spread that may remain after the best alignment.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if a mesh or skeleton cannot be used; the class vtkSkeletonCorrespondence says the
-    rest.
+    Returns
+    -------
+    Correspondence
+        Both skeletons, what of them is matched, and a table of all answers; see also the class
+        vtkSkeletonCorrespondence.
 
+    Raises
+    ------
+    Error
+        If a mesh or skeleton cannot be used.
+
+    Examples
+    --------
     >>> import marrow
     >>> pair = marrow.correspond(marrow.creature("biped"), marrow.creature("biped", pose=0.5, seed=7))
     >>> len([match for match in pair.nodes if match.source[0] in pair.source.terminals])

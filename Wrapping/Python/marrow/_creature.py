@@ -28,17 +28,29 @@ def creature(
 
     Parameters
     ----------
-    shape : "biped", "quadruped", "octopus", "chair", "snake", "torus" or "capsule"
+    shape : "biped", "quadruped", "octopus", "chair", "snake", "torus" or "capsule", default: "quadruped"
         What to make.
-    pose, proportion : float, 0 to 1
+    pose, proportion : float, 0 to 1, default: 0
         How far, at random, joints are bent, and lengths and thicknesses vary.
-    resolution : int, 2000 to 2000000
+    resolution : int, 2000 to 2000000, default: 10000
         Number of triangles, kept within 10 %.
-    noise : float, 0 to 0.02
+    noise : float, 0 to 0.02, default: 0
         Roughness of the surface, over the diagonal of the bounding box.
-    seed : int
+    seed : int, default: 1
         Selects the individual.
 
+    Returns
+    -------
+    Mesh
+        A mesh with its segments; see also the class vtkCreatureSource.
+
+    Raises
+    ------
+    Error
+        If a parameter is out of its range.
+
+    Examples
+    --------
     >>> import marrow
     >>> sorted(set(marrow.creature("snake").segments.tolist()))  # body, head, tail
     [0, 1, 2]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""marrow.evaluate: vtkSegmentationMetrics."""
+"""marrow.evaluate: vtkMarrowSegmentationMetrics."""
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
@@ -13,7 +13,7 @@ from ._mesh import Mesh, MeshLike, Segments, polydata_of, set_segments
 from ._parameters import snake_case
 from ._progress import ProgressCallback, Watch
 from ._run import run
-from .vtk import vtkSegmentationMetrics
+from .vtk import vtkMarrowSegmentationMetrics
 
 
 @dataclass(frozen=True)
@@ -65,15 +65,24 @@ def evaluate(
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if the mesh or the segments cannot be used; the class vtkSegmentationMetrics says
-    the rest.
+    Returns
+    -------
+    Evaluation
+        Numbers only; see also the class vtkMarrowSegmentationMetrics.
 
+    Raises
+    ------
+    Error
+        If the mesh or the segments cannot be used.
+
+    Examples
+    --------
     >>> import marrow
     >>> creature = marrow.creature("biped")
     >>> marrow.evaluate(creature, creature.segments).label_accuracy
     1.0
     """
-    algorithm = vtkSegmentationMetrics()
+    algorithm = vtkMarrowSegmentationMetrics()
     judged = polydata_of(mesh)
     judge: Segments = None
     if isinstance(reference, (vtkPolyData, Mesh)):

@@ -33,6 +33,25 @@ def read(path: Path, segments: Optional[Path] = None) -> Mesh:
     segments
         A file .seg, one integer per face; or what of the file the segments are: the name of an array
         of cells or points or of a face property, or "groups", "objects", "materials" or "colors".
+
+    Returns
+    -------
+    Mesh
+        The faces in the order of the file.
+
+    Raises
+    ------
+    Error
+        If the content of a file cannot be used; where, and why.
+    OSError
+        If a file cannot be opened.
+
+    Examples
+    --------
+    >>> import marrow
+    >>> marrow.read("no-mesh.docx")
+    Traceback (most recent call last):
+    marrow._messages.Error: no-mesh.docx: the name must end in one of .off, .ply, .obj, .stl, .vtp, .vtu, .vtk...
     """
     name = os.fspath(path)
     reader = vtkMarrowMeshReader()
@@ -60,6 +79,22 @@ def write(
         property, groups or face colours; or .seg for one integer per face.
     segments : (m,) int, or the name of a cell array
         The segment of each face. Default: the mesh's own, the array "SegmentId".
+
+    Raises
+    ------
+    Error
+        If the mesh or its segments cannot be written in that format.
+    OSError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> import marrow, os, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = os.path.join(folder, "creature.seg")
+    ...     marrow.write(marrow.creature("snake"), path)
+    ...     sorted(set(open(path).read().split()))
+    ['0', '1', '2']
     """
     name = os.fspath(path)
     _require_kind(name, vtkMarrowMeshWriter, vtkMarrowSegmentWriter)

@@ -70,17 +70,27 @@ def measure(
     ----------
     mesh
         Any mesh: one that is no clean manifold is measured on its working surface.
-    number_of_slices : int, 2 to 180
+    number_of_slices : int, 2 to 180, default: 12
         Planes tried at each vertex; more find a smaller perimeter and cost in proportion.
-    maximum_faces : int, 0 to 2147483647
+    maximum_faces : int, 0 to 2147483647, default: 0
         A mesh of more faces is measured on a working surface of so many; 0: at every vertex.
-    agd_method : "sampled" or "all_pairs"
+    agd_method : "sampled" or "all_pairs", default: "sampled"
         Distances from 64 samples of each component, or from all vertices (slow, exact).
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if the mesh cannot be used; the class vtkMSPField says the rest.
+    Returns
+    -------
+    Measures
+        The mesh with its measures, one value per vertex; see also the class vtkMSPField.
 
+    Raises
+    ------
+    Error
+        If the mesh cannot be used.
+
+    Examples
+    --------
     >>> import marrow
     >>> measures = marrow.measure(marrow.creature("capsule"))
     >>> bool(measures.agd.min() == 0.0 and measures.agd.max() == 1.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""marrow.render: vtkSideBySideScene."""
+"""marrow.render: vtkMarrowSideBySideScene."""
 from __future__ import annotations
 
 import os
@@ -45,7 +45,7 @@ def render(
 ) -> Array:
     """Draws meshes side by side, seen from the same side; equal segments have equal colours.
 
-    Returns the picture, (height, width, 3) uint8, the top row first. Needs an X display.
+    Needs an X display.
 
     Parameters
     ----------
@@ -58,29 +58,45 @@ def render(
         Name of an array to colour the surfaces by, with a scalar bar: "MSP", "SegmentConfidence".
     color_skeleton_by : "node_type", "correspondence", "branch" or "label"
         What the skeletons' colours tell.
-    show_links : bool
+    show_links : bool, default: False
         Lines between the matched nodes of the first skeleton and the others.
-    share_range : bool
+    share_range : bool, default: False
         One range of colours for all, so that equal colours are equal values.
-    view_up, view_direction : 3 floats
-        What is up in the first mesh; from where it is seen (its broad side, if not given).
-    azimuth, elevation : float, degrees
-        Turn of the eye to the side and upwards.
-    align : bool
+    view_up : 3 floats, default: (0, 1, 0)
+        What is up in the first mesh.
+    view_direction : 3 floats, default: (0, 0, 0)
+        From where the first mesh is seen; (0, 0, 0): from its broad side.
+    azimuth : float, degrees, default: 25
+        Turn of the eye to the side.
+    elevation : float, degrees, default: 12
+        Turn of the eye upwards.
+    align : bool, default: True
         Turn the other meshes to stand like the first.
-    surface_opacity : float, 0 to 1
-        Of all surfaces; else only those round a skeleton are transparent.
-    label_array_name : str
+    surface_opacity : float, 0 to 1, default: 1
+        Of all surfaces; else only those around a skeleton are transparent.
+    label_array_name : str, default: "SegmentId"
         Name of the cell array with the segments.
-    tile_width, tile_height : int, 16 to 4096, pixels
-    columns : int
+    tile_width, tile_height : int, 16 to 4096, pixels, default: 400
+    columns : int, default: 0
         Meshes in a row; 0: all.
 
+    Returns
+    -------
+    (height, width, 3) uint8
+        The picture, the top row first.
+
+    Raises
+    ------
+    Error
+        If there is no display, a mesh cannot be drawn, or the path does not end in .png.
+
+    Examples
+    --------
     >>> import marrow
     >>> marrow.render(marrow.creature("snake"), tile_width=320, tile_height=200).shape
     (200, 320, 3)
     """
-    if not vtk.vtkSideBySideScene.HasDisplay():
+    if not vtk.vtkMarrowSideBySideScene.HasDisplay():
         # VTK would end the process.
         raise Error(
             "render: there is no X display to draw with: set DISPLAY to one that is there, or put 'xvfb-run -a -s "
@@ -88,7 +104,7 @@ def render(
         )
     titles = _per_mesh("captions", captions, meshes)
     arrays = _per_mesh("surface_array", surface_array, meshes)
-    scene = vtk.vtkSideBySideScene()
+    scene = vtk.vtkMarrowSideBySideScene()
     set_parameters(scene, render, SceneParameters, parameters)
     if color_skeleton_by is not None:
         scene.SetColorSkeletonBy(_color_by(color_skeleton_by))
@@ -121,11 +137,11 @@ def _per_mesh(
 
 
 def _color_by(name: str) -> int:
-    choices = [key.lower() for key in vars(vtk.vtkSkeletonGlyphs) if key.isupper()]
+    choices = [key.lower() for key in vars(vtk.vtkMarrowSkeletonGlyphs) if key.isupper()]
     if name not in choices:
         raise Error(
             f"color_skeleton_by must be one of {', '.join(map(repr, choices))}, not {name!r}.")
-    return int(getattr(vtk.vtkSkeletonGlyphs, name.upper()))
+    return int(getattr(vtk.vtkMarrowSkeletonGlyphs, name.upper()))
 
 
 def _write_png(image: vtkImageData, name: str) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""marrow.skeleton: vtkMSPSkeleton, and its peer vtkMeanCurvatureSkeleton."""
+"""marrow.skeleton: vtkMSPSkeleton, and its baseline vtkMarrowMeanCurvatureSkeleton."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -104,17 +104,28 @@ def skeleton(
     ----------
     mesh
         Any mesh. Measures that it has, from marrow.measure, are used.
-    finest_area : float, 0 to 1
+    finest_area : float, 0 to 1, default: 0.004
         The share of the surface from which a limb gets a branch; less, and fingers get theirs.
-    node_spacing : float, 0.001 to 0.5
+    node_spacing : float, 0.001 to 0.5, default: 0.012
         Distance of the nodes along a branch, over the diagonal of the bounding box.
-    maximum_faces : int, 0 to 2147483647
+    maximum_faces : int, 0 to 2147483647, default: 60000
         A mesh of more faces is simplified to so many for the skeleton; 0: never.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if the mesh cannot be used; the class vtkMSPSkeleton says the rest.
+    Returns
+    -------
+    Skeleton
+        The nodes and branches, and the mesh with the node of each vertex; see also the class
+        vtkMSPSkeleton.
 
+    Raises
+    ------
+    Error
+        If the mesh cannot be used.
+
+    Examples
+    --------
     >>> import marrow
     >>> skeleton = marrow.skeleton(marrow.creature("biped"))
     >>> len(skeleton.terminals)  # head, hands, feet
@@ -140,17 +151,32 @@ def mean_curvature_skeleton(
     ----------
     mesh
         A mesh without openings; several bodies will do.
-    quality_speed_tradeoff : float, 0.001 to 100
+    quality_speed_tradeoff : float, 0.001 to 100, default: 0.1
         Smaller is faster and coarser.
-    medially_centered_speed_tradeoff : float, 0 to 100
+    medially_centered_speed_tradeoff : float, 0 to 100, default: 0.2
         Larger is closer to the medial axis, less smooth and slower.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if the mesh cannot be used, or Marrow was built without CGAL.
+    Returns
+    -------
+    Skeleton
+        As that of marrow.skeleton.
+
+    Raises
+    ------
+    Error
+        If the mesh cannot be used, or Marrow was built without CGAL.
+
+    Examples
+    --------
+    >>> import marrow
+    >>> if hasattr(marrow.vtk, "vtkMarrowMeanCurvatureSkeleton"):  # built with CGAL
+    ...     skeleton = marrow.mean_curvature_skeleton(marrow.creature("capsule"))
+    ...     assert len(skeleton.terminals) >= 2
     """
     try:
-        algorithm = vtk.vtkMeanCurvatureSkeleton()
+        algorithm = vtk.vtkMarrowMeanCurvatureSkeleton()
     except AttributeError:
         raise Error("mean_curvature_skeleton: Marrow was built without CGAL.") from None
     set_parameters(

@@ -84,22 +84,36 @@ def transfer(
         again, nor is their correspondence.
     segments : (m,) int, or the name of a cell array
         The segment of each face of the source. Default: the source's own, the array "SegmentId".
-    strict_boundaries : bool
-        Carry only the boundaries of the paper, those round one branch.
-    theta : float, 1 to 100
+    strict_boundaries : bool, default: False
+        Carry only the boundaries of the paper, those around one branch.
+    theta : float, 1 to 100, default: 1.5
         How far a change of thickness must stand out to be a landmark on a branch.
-    kernel : float, 0.005 to 0.5
+    kernel : float, 0.005 to 0.5, default: 0.05
         Smoothing of the thickness along a branch, over the branch's length.
-    lambda_ : float, 0 to pi, radians
+    lambda_ : float, 0 to pi, radians, default: 0.1
         Vertices whose dihedral angles differ by less are the same feature to the snake.
-    search_region : float, 0 to 0.2
+    search_region : float, 0 to 0.2, default: 0.02
         How far the snake may move a boundary, over the target's longest geodesic distance.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if a mesh or its segments cannot be used; gives a MarrowWarning where a segment is
-    lost or the skeletons are of no help. The class vtkSegmentationTransfer says the rest.
+    Returns
+    -------
+    Transfer
+        The target with a segment for each of its faces; see also the class vtkSegmentationTransfer.
 
+    Raises
+    ------
+    Error
+        If a mesh or its segments cannot be used.
+
+    Warns
+    -----
+    MarrowWarning
+        If a segment is lost, or the skeletons are of no help.
+
+    Examples
+    --------
     >>> import marrow
     >>> labelled = marrow.transfer(marrow.creature("biped"), marrow.creature("biped", seed=7, pose=0.5))
     >>> sorted(set(labelled.segments.tolist()))

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSideBySideScene
+ * @class   vtkMarrowSideBySideScene
  * @brief   labelled meshes in one picture, each in a tile of its own, seen from the same side
  *
  * The scene of the examples, tests and documentation. Every mesh fills its tile whatever its units.
- * Labels (integer cell array LabelArrayName) have the colours of vtkLabelColors, so equal labels
+ * Labels (integer cell array LabelArrayName) have the colours of vtkMarrowLabelColors, so equal labels
  * have equal colours in all tiles; a mesh without them is light blue. SetSurfaceArray shows a measure
- * instead, in the colours of vtkMeasureColors and with a scalar bar.
+ * instead, in the colours of vtkMarrowMeasureColors and with a scalar bar.
  *
  * The view is that of the first mesh: its ViewUp points up, and ViewDirection leads from the mesh
  * to the eye. With Align on, every other mesh that shares at least three labels with the first is
@@ -19,8 +19,8 @@
  *
  * A picture needs an X display (Debian's VTK draws with GLX); see Documentation/testing.md.
  */
-#ifndef vtkSideBySideScene_h
-#define vtkSideBySideScene_h
+#ifndef vtkMarrowSideBySideScene_h
+#define vtkMarrowSideBySideScene_h
 
 #include "MarrowRenderingModule.h"
 #include "vtkObject.h"
@@ -33,11 +33,11 @@ class vtkPolyData;
 class vtkRenderWindow;
 class vtkRenderer;
 
-class MARROWRENDERING_EXPORT vtkSideBySideScene : public vtkObject
+class MARROWRENDERING_EXPORT vtkMarrowSideBySideScene : public vtkObject
 {
 public:
-  static vtkSideBySideScene* New();
-  vtkTypeMacro(vtkSideBySideScene, vtkObject);
+  static vtkMarrowSideBySideScene* New();
+  vtkTypeMacro(vtkMarrowSideBySideScene, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -49,7 +49,7 @@ public:
   /**
    * Adds a tile, from left to right and then row by row, and returns its index, or -1 with an error
    * event where there is no mesh. `skeleton` and `caption` may be null. The skeleton is drawn by
-   * vtkSkeletonMapper; it shows where the surface's opacity is less than 1, and can be picked through
+   * vtkMarrowSkeletonMapper; it shows where the surface's opacity is less than 1, and can be picked through
    * that surface then.
    */
   int AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton = nullptr, const char* caption = nullptr);
@@ -124,7 +124,7 @@ public:
 
   ///@{
   /**
-   * What the skeletons' colours tell: vtkSkeletonGlyphs::ColorByEnum, default NODE_TYPE. For LABEL
+   * What the skeletons' colours tell: vtkMarrowSkeletonGlyphs::ColorByEnum, default NODE_TYPE. For LABEL
    * the nodes take the label that most of their part of the surface has, where the mesh has the
    * labels and the point array SkeletonNodeId.
    */
@@ -198,12 +198,12 @@ public:
   bool WritePNG(const char* fileName);
 
 protected:
-  vtkSideBySideScene();
-  ~vtkSideBySideScene() override;
+  vtkMarrowSideBySideScene();
+  ~vtkMarrowSideBySideScene() override;
 
 private:
-  vtkSideBySideScene(const vtkSideBySideScene&) = delete;
-  void operator=(const vtkSideBySideScene&) = delete;
+  vtkMarrowSideBySideScene(const vtkMarrowSideBySideScene&) = delete;
+  void operator=(const vtkMarrowSideBySideScene&) = delete;
 
   struct Content;
   bool HasTile(int tile);

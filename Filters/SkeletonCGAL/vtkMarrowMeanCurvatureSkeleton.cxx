@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMeanCurvatureSkeleton.h"
+#include "vtkMarrowMeanCurvatureSkeleton.h"
 
 #include "FilterSupport.h"
 #include "MeanCurvatureSkeleton.h"
@@ -11,14 +11,14 @@
 
 #include <string>
 
-vtkStandardNewMacro(vtkMeanCurvatureSkeleton);
+vtkStandardNewMacro(vtkMarrowMeanCurvatureSkeleton);
 
-vtkMeanCurvatureSkeleton::vtkMeanCurvatureSkeleton()
+vtkMarrowMeanCurvatureSkeleton::vtkMarrowMeanCurvatureSkeleton()
 {
   this->SetNumberOfOutputPorts(2);
 }
 
-int vtkMeanCurvatureSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
+int vtkMarrowMeanCurvatureSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   marrow::SkeletonRequest request;
@@ -41,7 +41,7 @@ int vtkMeanCurvatureSkeleton::RequestData(vtkInformation* vtkNotUsed(request),
   return marrow::RunSkeletonRequest(this, request, inputVector, outputVector);
 }
 
-void vtkMeanCurvatureSkeleton::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowMeanCurvatureSkeleton::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "QualitySpeedTradeoff: " << this->QualitySpeedTradeoff << "\n";

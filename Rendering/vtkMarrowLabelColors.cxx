@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkLabelColors.h"
+#include "vtkMarrowLabelColors.h"
 
 #include "LabelPalette.h"
 
@@ -11,9 +11,9 @@
 #include <set>
 #include <string>
 
-vtkStandardNewMacro(vtkLabelColors);
+vtkStandardNewMacro(vtkMarrowLabelColors);
 
-void vtkLabelColors::GetColor(vtkIdType label, double rgb[3])
+void vtkMarrowLabelColors::GetColor(vtkIdType label, double rgb[3])
 {
   const auto& color =
     label < 0 ? marrow::NoLabelColor : marrow::LabelPalette[label % marrow::LabelPalette.size()];
@@ -23,7 +23,7 @@ void vtkLabelColors::GetColor(vtkIdType label, double rgb[3])
   }
 }
 
-void vtkLabelColors::FillLookupTable(vtkLookupTable* table, vtkDataArray* labels)
+void vtkMarrowLabelColors::FillLookupTable(vtkLookupTable* table, vtkDataArray* labels)
 {
   std::set<vtkIdType> distinct;
   for (vtkIdType i = 0; labels && i < labels->GetNumberOfTuples(); ++i)
@@ -37,14 +37,14 @@ void vtkLabelColors::FillLookupTable(vtkLookupTable* table, vtkDataArray* labels
   for (const vtkIdType label : distinct)
   {
     double rgb[3];
-    vtkLabelColors::GetColor(label, rgb);
+    vtkMarrowLabelColors::GetColor(label, rgb);
     // Annotations keep the order in which they are set, and the n-th has the n-th colour.
     table->SetAnnotation(vtkVariant(label), std::to_string(label));
     table->SetTableValue(index++, rgb[0], rgb[1], rgb[2], 1.0);
   }
 }
 
-void vtkLabelColors::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowLabelColors::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfColors: " << marrow::LabelPalette.size() << "\n";

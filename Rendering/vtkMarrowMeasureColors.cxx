@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMeasureColors.h"
+#include "vtkMarrowMeasureColors.h"
 
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-vtkStandardNewMacro(vtkMeasureColors);
+vtkStandardNewMacro(vtkMarrowMeasureColors);
 
 namespace
 {
@@ -40,7 +40,7 @@ double UpperEnd(std::vector<double>& values)
 }
 }
 
-void vtkMeasureColors::GetRange(vtkDataArray* measure, double range[2])
+void vtkMarrowMeasureColors::GetRange(vtkDataArray* measure, double range[2])
 {
   std::vector<double> values;
   std::vector<double> magnitudes;
@@ -82,7 +82,7 @@ void vtkMeasureColors::GetRange(vtkDataArray* measure, double range[2])
   }
 }
 
-void vtkMeasureColors::FillLookupTable(vtkLookupTable* table, const double range[2])
+void vtkMarrowMeasureColors::FillLookupTable(vtkLookupTable* table, const double range[2])
 {
   const Knots& knots = range[0] < 0.0 && range[1] > 0.0 ? Diverging : Sequential;
   table->SetVectorModeToMagnitude();
@@ -103,7 +103,7 @@ void vtkMeasureColors::FillLookupTable(vtkLookupTable* table, const double range
   table->SetNanColor(grey);
 }
 
-void vtkMeasureColors::SetUpScalarBar(
+void vtkMarrowMeasureColors::SetUpScalarBar(
   vtkScalarBarActor* bar, vtkLookupTable* table, const char* title, int fontSize)
 {
   bar->SetLookupTable(table);
@@ -122,7 +122,7 @@ void vtkMeasureColors::SetUpScalarBar(
   }
 }
 
-void vtkMeasureColors::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowMeasureColors::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TableSize: " << TableSize << "\n";

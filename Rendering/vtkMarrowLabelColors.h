@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkLabelColors
+ * @class   vtkMarrowLabelColors
  * @brief   categorical colours that depend on nothing but the label
  *
  * Equal labels have equal colours on every mesh, whatever other labels are there, so that pictures
@@ -12,8 +12,8 @@
  * (Machado, Oliveira and Fernandes 2009). The first seven are those of Okabe and Ito 2008 without
  * black; the others were found by maximizing the least difference, the label's grey included.
  */
-#ifndef vtkLabelColors_h
-#define vtkLabelColors_h
+#ifndef vtkMarrowLabelColors_h
+#define vtkMarrowLabelColors_h
 
 #include "MarrowRenderingModule.h"
 #include "vtkObject.h"
@@ -21,11 +21,11 @@
 class vtkDataArray;
 class vtkLookupTable;
 
-class MARROWRENDERING_EXPORT vtkLabelColors : public vtkObject
+class MARROWRENDERING_EXPORT vtkMarrowLabelColors : public vtkObject
 {
 public:
-  static vtkLabelColors* New();
-  vtkTypeMacro(vtkLabelColors, vtkObject);
+  static vtkMarrowLabelColors* New();
+  vtkTypeMacro(vtkMarrowLabelColors, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -40,12 +40,12 @@ public:
   static void FillLookupTable(vtkLookupTable* table, vtkDataArray* labels);
 
 protected:
-  vtkLabelColors() = default;
-  ~vtkLabelColors() override = default;
+  vtkMarrowLabelColors() = default;
+  ~vtkMarrowLabelColors() override = default;
 
 private:
-  vtkLabelColors(const vtkLabelColors&) = delete;
-  void operator=(const vtkLabelColors&) = delete;
+  vtkMarrowLabelColors(const vtkMarrowLabelColors&) = delete;
+  void operator=(const vtkMarrowLabelColors&) = delete;
 };
 
 #endif

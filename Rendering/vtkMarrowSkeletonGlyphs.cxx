@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSkeletonGlyphs.h"
+#include "vtkMarrowSkeletonGlyphs.h"
 
 #include "ArrayNames.h"
 #include "Skeleton.h"
-#include "vtkLabelColors.h"
+#include "vtkMarrowLabelColors.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -19,7 +19,7 @@
 #include "vtkTubeFilter.h"
 #include "vtkUnsignedCharArray.h"
 
-vtkStandardNewMacro(vtkSkeletonGlyphs);
+vtkStandardNewMacro(vtkMarrowSkeletonGlyphs);
 
 namespace
 {
@@ -44,14 +44,14 @@ ColorArrays FindColorArrays(vtkPolyData* skeleton, int colorBy, const char* labe
   vtkCellData* cells = skeleton->GetCellData();
   switch (colorBy)
   {
-    case vtkSkeletonGlyphs::CORRESPONDENCE:
+    case vtkMarrowSkeletonGlyphs::CORRESPONDENCE:
       arrays.OfNodes = points->GetArray(marrow::names::CorrespondenceId);
       arrays.OfBranches = cells->GetArray(marrow::names::BranchCorrespondenceId);
       break;
-    case vtkSkeletonGlyphs::BRANCH:
+    case vtkMarrowSkeletonGlyphs::BRANCH:
       arrays.OfBranches = cells->GetArray(marrow::names::BranchId);
       break;
-    case vtkSkeletonGlyphs::LABEL:
+    case vtkMarrowSkeletonGlyphs::LABEL:
       arrays.OfNodes = points->GetArray(labelArray);
       arrays.NodesAlongBranches = arrays.OfNodes != nullptr;
       break;
@@ -75,7 +75,7 @@ void AddColors(
 
 void ColorOfId(vtkDataArray* ids, vtkIdType index, double rgb[3])
 {
-  vtkLabelColors::GetColor(static_cast<vtkIdType>(ids->GetTuple1(index)), rgb);
+  vtkMarrowLabelColors::GetColor(static_cast<vtkIdType>(ids->GetTuple1(index)), rgb);
 }
 
 /// One tube, apart from the others: they share points, and each has a colour of its own.
@@ -144,17 +144,17 @@ void AppendBall(
 }
 }
 
-vtkSkeletonGlyphs::vtkSkeletonGlyphs()
+vtkMarrowSkeletonGlyphs::vtkMarrowSkeletonGlyphs()
 {
   this->SetLabelArrayName(marrow::names::SegmentId);
 }
 
-vtkSkeletonGlyphs::~vtkSkeletonGlyphs()
+vtkMarrowSkeletonGlyphs::~vtkMarrowSkeletonGlyphs()
 {
   this->SetLabelArrayName(nullptr);
 }
 
-int vtkSkeletonGlyphs::RequestData(
+int vtkMarrowSkeletonGlyphs::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -208,7 +208,7 @@ int vtkSkeletonGlyphs::RequestData(
   return 1;
 }
 
-void vtkSkeletonGlyphs::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowSkeletonGlyphs::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   static const char* const names[] = { "NodeType", "Correspondence", "Branch", "Label" };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkSegmentationMetrics_h
-#define vtkSegmentationMetrics_h
+#ifndef vtkMarrowSegmentationMetrics_h
+#define vtkMarrowSegmentationMetrics_h
 
 #include "MarrowEvaluationModule.h" // for export macro
 #include "vtkTableAlgorithm.h"
 
 /**
- * @class vtkSegmentationMetrics
+ * @class vtkMarrowSegmentationMetrics
  * @brief how well a segmentation of a mesh agrees with a reference
  *
  * The four measures of X. Chen, A. Golovinskiy, T. Funkhouser, "A Benchmark for 3D Mesh
@@ -43,11 +43,11 @@
  *
  * @sa vtkSegmentationTransfer
  */
-class MARROWEVALUATION_EXPORT vtkSegmentationMetrics : public vtkTableAlgorithm
+class MARROWEVALUATION_EXPORT vtkMarrowSegmentationMetrics : public vtkTableAlgorithm
 {
 public:
-  static vtkSegmentationMetrics* New();
-  vtkTypeMacro(vtkSegmentationMetrics, vtkTableAlgorithm);
+  static vtkMarrowSegmentationMetrics* New();
+  vtkTypeMacro(vtkMarrowSegmentationMetrics, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -66,16 +66,16 @@ public:
   ///@}
 
 protected:
-  vtkSegmentationMetrics();
-  ~vtkSegmentationMetrics() override = default;
+  vtkMarrowSegmentationMetrics();
+  ~vtkMarrowSegmentationMetrics() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
-  vtkSegmentationMetrics(const vtkSegmentationMetrics&) = delete;
-  void operator=(const vtkSegmentationMetrics&) = delete;
+  vtkMarrowSegmentationMetrics(const vtkMarrowSegmentationMetrics&) = delete;
+  void operator=(const vtkMarrowSegmentationMetrics&) = delete;
 
   double CutDiscrepancy = 0.0;
   double HammingDistance = 0.0;

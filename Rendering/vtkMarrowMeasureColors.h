@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkMeasureColors
+ * @class   vtkMarrowMeasureColors
  * @brief   colours of measures on a surface (MSP, AGD, gradient, ...), and their scalar bar
  *
  * Measures that do not change their sign have the colours of viridis (Smith and van der Walt 2015),
@@ -11,8 +11,8 @@
  * percentile of what is there if the largest value is more than 3 times as large, and at the
  * largest value otherwise.
  */
-#ifndef vtkMeasureColors_h
-#define vtkMeasureColors_h
+#ifndef vtkMarrowMeasureColors_h
+#define vtkMarrowMeasureColors_h
 
 #include "MarrowRenderingModule.h"
 #include "vtkObject.h"
@@ -21,11 +21,11 @@ class vtkDataArray;
 class vtkLookupTable;
 class vtkScalarBarActor;
 
-class MARROWRENDERING_EXPORT vtkMeasureColors : public vtkObject
+class MARROWRENDERING_EXPORT vtkMarrowMeasureColors : public vtkObject
 {
 public:
-  static vtkMeasureColors* New();
-  vtkTypeMacro(vtkMeasureColors, vtkObject);
+  static vtkMarrowMeasureColors* New();
+  vtkTypeMacro(vtkMarrowMeasureColors, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -46,12 +46,12 @@ public:
     vtkScalarBarActor* bar, vtkLookupTable* table, const char* title, int fontSize);
 
 protected:
-  vtkMeasureColors() = default;
-  ~vtkMeasureColors() override = default;
+  vtkMarrowMeasureColors() = default;
+  ~vtkMarrowMeasureColors() override = default;
 
 private:
-  vtkMeasureColors(const vtkMeasureColors&) = delete;
-  void operator=(const vtkMeasureColors&) = delete;
+  vtkMarrowMeasureColors(const vtkMarrowMeasureColors&) = delete;
+  void operator=(const vtkMarrowMeasureColors&) = delete;
 };
 
 #endif

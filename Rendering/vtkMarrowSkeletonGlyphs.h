@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSkeletonGlyphs
+ * @class   vtkMarrowSkeletonGlyphs
  * @brief   a skeleton as something to look at: tubes along the branches, balls at the feature nodes
  *
  * The input is a skeleton after the data contract (vtkPolyData, one polyline per branch, point
  * array NodeType; without NodeType only tubes are drawn). The output is a triangle surface with the
  * cell array "Color" (unsigned char, 3 components, the active scalars), to be drawn as it is;
- * vtkSkeletonMapper does so.
+ * vtkMarrowSkeletonMapper does so.
  *
  * ColorBy chooses the colours:
  * - NODE_TYPE: terminals blue, junctions vermilion, branches dark grey;
@@ -15,22 +15,22 @@
  *   of two skeletons have equal colours and what is unmatched is grey;
  * - BRANCH: tubes by the cell array BranchId, balls dark grey;
  * - LABEL: nodes by the point array LabelArrayName, and tubes by the labels of the nodes along them.
- * Ids and labels have the colours of vtkLabelColors; where the array is missing, those of NODE_TYPE.
+ * Ids and labels have the colours of vtkMarrowLabelColors; where the array is missing, those of NODE_TYPE.
  *
  * Sizes are fractions of the mesh's bounding-box diagonal (field array MeshDiagonal), or of the
  * skeleton's own where that is missing.
  */
-#ifndef vtkSkeletonGlyphs_h
-#define vtkSkeletonGlyphs_h
+#ifndef vtkMarrowSkeletonGlyphs_h
+#define vtkMarrowSkeletonGlyphs_h
 
 #include "MarrowRenderingModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class MARROWRENDERING_EXPORT vtkSkeletonGlyphs : public vtkPolyDataAlgorithm
+class MARROWRENDERING_EXPORT vtkMarrowSkeletonGlyphs : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkSkeletonGlyphs* New();
-  vtkTypeMacro(vtkSkeletonGlyphs, vtkPolyDataAlgorithm);
+  static vtkMarrowSkeletonGlyphs* New();
+  vtkTypeMacro(vtkMarrowSkeletonGlyphs, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** What the colours tell; see above. */
@@ -77,15 +77,15 @@ public:
   ///@}
 
 protected:
-  vtkSkeletonGlyphs();
-  ~vtkSkeletonGlyphs() override;
+  vtkMarrowSkeletonGlyphs();
+  ~vtkMarrowSkeletonGlyphs() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
-  vtkSkeletonGlyphs(const vtkSkeletonGlyphs&) = delete;
-  void operator=(const vtkSkeletonGlyphs&) = delete;
+  vtkMarrowSkeletonGlyphs(const vtkMarrowSkeletonGlyphs&) = delete;
+  void operator=(const vtkMarrowSkeletonGlyphs&) = delete;
 
   int ColorBy = NODE_TYPE;
   char* LabelArrayName = nullptr;

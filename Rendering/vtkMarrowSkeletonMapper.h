@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSkeletonMapper
+ * @class   vtkMarrowSkeletonMapper
  * @brief   draws a skeleton: tubes along the branches, balls at the feature nodes
  *
- * The mapper of an actor that is a skeleton. What it draws is made by vtkSkeletonGlyphs, which says
+ * The mapper of an actor that is a skeleton. What it draws is made by vtkMarrowSkeletonGlyphs, which says
  * what the input is and what the colours and sizes mean; set these at GetGlyphs().
  *
  * Its data set is the skeleton itself, so a vtkCellPicker with a tolerance that hits the actor tells
  * the branch: GetCellId() is the polyline.
  */
-#ifndef vtkSkeletonMapper_h
-#define vtkSkeletonMapper_h
+#ifndef vtkMarrowSkeletonMapper_h
+#define vtkMarrowSkeletonMapper_h
 
 #include "MarrowRenderingModule.h"
 #include "vtkMapper.h"
 #include "vtkSmartPointer.h"
 
 class vtkPolyDataMapper;
-class vtkSkeletonGlyphs;
+class vtkMarrowSkeletonGlyphs;
 
-class MARROWRENDERING_EXPORT vtkSkeletonMapper : public vtkMapper
+class MARROWRENDERING_EXPORT vtkMarrowSkeletonMapper : public vtkMapper
 {
 public:
-  static vtkSkeletonMapper* New();
-  vtkTypeMacro(vtkSkeletonMapper, vtkMapper);
+  static vtkMarrowSkeletonMapper* New();
+  vtkTypeMacro(vtkMarrowSkeletonMapper, vtkMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * What shapes the skeleton: ColorBy, TubeRadius, BallRadius and so on.
    */
-  vtkSkeletonGlyphs* GetGlyphs();
+  vtkMarrowSkeletonGlyphs* GetGlyphs();
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -40,19 +40,19 @@ public:
   bool HasTranslucentPolygonalGeometry() override;
 
 protected:
-  vtkSkeletonMapper();
-  ~vtkSkeletonMapper() override;
+  vtkMarrowSkeletonMapper();
+  ~vtkMarrowSkeletonMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
 private:
-  vtkSkeletonMapper(const vtkSkeletonMapper&) = delete;
-  void operator=(const vtkSkeletonMapper&) = delete;
+  vtkMarrowSkeletonMapper(const vtkMarrowSkeletonMapper&) = delete;
+  void operator=(const vtkMarrowSkeletonMapper&) = delete;
 
   /// Brings the drawn surface up to date; false without an input.
   bool UpdateSurface();
 
-  vtkSmartPointer<vtkSkeletonGlyphs> Glyphs;
+  vtkSmartPointer<vtkMarrowSkeletonGlyphs> Glyphs;
   vtkSmartPointer<vtkPolyDataMapper> Surface;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSideBySideScene.h"
+#include "vtkMarrowSideBySideScene.h"
 
 #include "ArrayNames.h"
 #include "Display.h"
 #include "SceneLinks.h"
 #include "SceneTile.h"
 #include "Supersampling.h"
-#include "vtkMeasureColors.h"
+#include "vtkMarrowMeasureColors.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-vtkStandardNewMacro(vtkSideBySideScene);
+vtkStandardNewMacro(vtkMarrowSideBySideScene);
 
 namespace
 {
@@ -50,30 +50,30 @@ Eigen::Matrix3d RotationOf(
 }
 }
 
-struct vtkSideBySideScene::Content
+struct vtkMarrowSideBySideScene::Content
 {
   std::vector<marrow::SceneTile> Tiles;
   std::vector<vtkRenderer*> Renderers; ///< of the window filled last, which owns them
   std::unique_ptr<marrow::SceneLinks> Links;
 };
 
-vtkSideBySideScene::vtkSideBySideScene()
+vtkMarrowSideBySideScene::vtkMarrowSideBySideScene()
   : Internals(new Content)
 {
   this->SetLabelArrayName(marrow::names::SegmentId);
 }
 
-vtkSideBySideScene::~vtkSideBySideScene()
+vtkMarrowSideBySideScene::~vtkMarrowSideBySideScene()
 {
   this->SetLabelArrayName(nullptr);
 }
 
-bool vtkSideBySideScene::HasDisplay()
+bool vtkMarrowSideBySideScene::HasDisplay()
 {
   return marrow::CanOpenDisplay();
 }
 
-int vtkSideBySideScene::AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton, const char* caption)
+int vtkMarrowSideBySideScene::AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton, const char* caption)
 {
   if (!mesh || mesh->GetNumberOfPoints() == 0)
   {
@@ -89,7 +89,7 @@ int vtkSideBySideScene::AddMesh(vtkPolyData* mesh, vtkPolyData* skeleton, const 
   return static_cast<int>(this->Internals->Tiles.size()) - 1;
 }
 
-bool vtkSideBySideScene::HasTile(int tile)
+bool vtkMarrowSideBySideScene::HasTile(int tile)
 {
   const int size = static_cast<int>(this->Internals->Tiles.size());
   if (tile < 0 || tile >= size)
@@ -102,7 +102,7 @@ bool vtkSideBySideScene::HasTile(int tile)
   return true;
 }
 
-void vtkSideBySideScene::SetSurfaceArray(int tile, const char* arrayName)
+void vtkMarrowSideBySideScene::SetSurfaceArray(int tile, const char* arrayName)
 {
   if (!this->HasTile(tile))
   {
@@ -118,7 +118,7 @@ void vtkSideBySideScene::SetSurfaceArray(int tile, const char* arrayName)
   }
 }
 
-void vtkSideBySideScene::SetTileOpacity(int tile, double opacity)
+void vtkMarrowSideBySideScene::SetTileOpacity(int tile, double opacity)
 {
   if (this->HasTile(tile))
   {
@@ -126,7 +126,7 @@ void vtkSideBySideScene::SetTileOpacity(int tile, double opacity)
   }
 }
 
-void vtkSideBySideScene::AddCurves(
+void vtkMarrowSideBySideScene::AddCurves(
   int tile, vtkPolyData* curves, double red, double green, double blue, double radius)
 {
   if (this->HasTile(tile) && curves)
@@ -135,7 +135,7 @@ void vtkSideBySideScene::AddCurves(
   }
 }
 
-void vtkSideBySideScene::AddActor(int tile, vtkActor* actor)
+void vtkMarrowSideBySideScene::AddActor(int tile, vtkActor* actor)
 {
   if (this->HasTile(tile) && actor)
   {
@@ -143,7 +143,7 @@ void vtkSideBySideScene::AddActor(int tile, vtkActor* actor)
   }
 }
 
-void vtkSideBySideScene::SetCloseUp(int tile, vtkPolyData* part)
+void vtkMarrowSideBySideScene::SetCloseUp(int tile, vtkPolyData* part)
 {
   if (this->HasTile(tile))
   {
@@ -151,30 +151,30 @@ void vtkSideBySideScene::SetCloseUp(int tile, vtkPolyData* part)
   }
 }
 
-vtkRenderer* vtkSideBySideScene::GetRenderer(int tile)
+vtkRenderer* vtkMarrowSideBySideScene::GetRenderer(int tile)
 {
   return tile >= 0 && tile < static_cast<int>(this->Internals->Renderers.size())
     ? this->Internals->Renderers[tile]
     : nullptr;
 }
 
-void vtkSideBySideScene::GetMeasureRange(int tile, double range[2]) const
+void vtkMarrowSideBySideScene::GetMeasureRange(int tile, double range[2]) const
 {
   const std::vector<marrow::SceneTile>& tiles = this->Internals->Tiles;
-  vtkMeasureColors::GetRange(marrow::SurfaceArrayOf(tiles[tile], ""), range);
+  vtkMarrowMeasureColors::GetRange(marrow::SurfaceArrayOf(tiles[tile], ""), range);
   for (const marrow::SceneTile& other : tiles)
   {
     if (this->ShareRange && other.SurfaceArray == tiles[tile].SurfaceArray)
     {
       double others[2];
-      vtkMeasureColors::GetRange(marrow::SurfaceArrayOf(other, ""), others);
+      vtkMarrowMeasureColors::GetRange(marrow::SurfaceArrayOf(other, ""), others);
       range[0] = std::min(range[0], others[0]);
       range[1] = std::max(range[1], others[1]);
     }
   }
 }
 
-bool vtkSideBySideScene::Fill(vtkRenderWindow* window, int pixelScale)
+bool vtkMarrowSideBySideScene::Fill(vtkRenderWindow* window, int pixelScale)
 {
   std::vector<marrow::SceneTile>& tiles = this->Internals->Tiles;
   if (tiles.empty())
@@ -248,12 +248,12 @@ bool vtkSideBySideScene::Fill(vtkRenderWindow* window, int pixelScale)
   return true;
 }
 
-bool vtkSideBySideScene::AddTo(vtkRenderWindow* window)
+bool vtkMarrowSideBySideScene::AddTo(vtkRenderWindow* window)
 {
   return this->Fill(window, 1);
 }
 
-bool vtkSideBySideScene::Render(vtkImageData* image)
+bool vtkMarrowSideBySideScene::Render(vtkImageData* image)
 {
   vtkNew<vtkRenderWindow> window;
   if (!this->Fill(window, marrow::Supersampling))
@@ -267,7 +267,7 @@ bool vtkSideBySideScene::Render(vtkImageData* image)
   return true;
 }
 
-bool vtkSideBySideScene::WritePNG(const char* fileName)
+bool vtkMarrowSideBySideScene::WritePNG(const char* fileName)
 {
   vtkNew<vtkImageData> image;
   if (!this->Render(image))
@@ -288,7 +288,7 @@ bool vtkSideBySideScene::WritePNG(const char* fileName)
   return true;
 }
 
-void vtkSideBySideScene::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowSideBySideScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfMeshes: " << this->Internals->Tiles.size() << "\n";

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkMeanCurvatureSkeleton_h
-#define vtkMeanCurvatureSkeleton_h
+#ifndef vtkMarrowMeanCurvatureSkeleton_h
+#define vtkMarrowMeanCurvatureSkeleton_h
 
 #include "MarrowSkeletonCGALModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 /**
- * @class vtkMeanCurvatureSkeleton
- * @brief CGAL's mean curvature flow skeleton of a mesh, and φ: the peer of vtkMSPSkeleton
+ * @class vtkMarrowMeanCurvatureSkeleton
+ * @brief CGAL's mean curvature flow skeleton of a mesh, and φ: the baseline for vtkMSPSkeleton
  *
  * The surface is contracted by its mean curvature flow, drawn to the medial axis, until it is a thin
  * thread, which is collapsed to a curve: A. Tagliasacchi, I. Alhashim, M. Olson, H. Zhang, "Mean
@@ -57,11 +57,11 @@
  *
  * @sa vtkMSPSkeleton vtkMSPField vtkSkeletonCorrespondence
  */
-class MARROWSKELETONCGAL_EXPORT vtkMeanCurvatureSkeleton : public vtkPolyDataAlgorithm
+class MARROWSKELETONCGAL_EXPORT vtkMarrowMeanCurvatureSkeleton : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkMeanCurvatureSkeleton* New();
-  vtkTypeMacro(vtkMeanCurvatureSkeleton, vtkPolyDataAlgorithm);
+  static vtkMarrowMeanCurvatureSkeleton* New();
+  vtkTypeMacro(vtkMarrowMeanCurvatureSkeleton, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -84,8 +84,8 @@ public:
   ///@}
 
 protected:
-  vtkMeanCurvatureSkeleton();
-  ~vtkMeanCurvatureSkeleton() override = default;
+  vtkMarrowMeanCurvatureSkeleton();
+  ~vtkMarrowMeanCurvatureSkeleton() override = default;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -94,8 +94,8 @@ protected:
   double MediallyCenteredSpeedTradeoff = 0.2;
 
 private:
-  vtkMeanCurvatureSkeleton(const vtkMeanCurvatureSkeleton&) = delete;
-  void operator=(const vtkMeanCurvatureSkeleton&) = delete;
+  vtkMarrowMeanCurvatureSkeleton(const vtkMarrowMeanCurvatureSkeleton&) = delete;
+  void operator=(const vtkMarrowMeanCurvatureSkeleton&) = delete;
 };
 
 #endif

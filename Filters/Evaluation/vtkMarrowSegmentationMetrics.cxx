@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSegmentationMetrics.h"
+#include "vtkMarrowSegmentationMetrics.h"
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-vtkStandardNewMacro(vtkSegmentationMetrics);
+vtkStandardNewMacro(vtkMarrowSegmentationMetrics);
 
 namespace
 {
@@ -73,7 +73,7 @@ std::string ToFaces(
 }
 }
 
-vtkSegmentationMetrics::vtkSegmentationMetrics()
+vtkMarrowSegmentationMetrics::vtkMarrowSegmentationMetrics()
 {
   this->SetNumberOfInputPorts(2);
   for (int port = 0; port < 2; ++port)
@@ -83,13 +83,14 @@ vtkSegmentationMetrics::vtkSegmentationMetrics()
   }
 }
 
-int vtkSegmentationMetrics::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+int vtkMarrowSegmentationMetrics::FillInputPortInformation(
+  int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
 }
 
-int vtkSegmentationMetrics::RequestData(vtkInformation* vtkNotUsed(request),
+int vtkMarrowSegmentationMetrics::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -162,7 +163,7 @@ int vtkSegmentationMetrics::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
-void vtkSegmentationMetrics::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowSegmentationMetrics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CutDiscrepancy: " << this->CutDiscrepancy << "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSkeletonMapper.h"
+#include "vtkMarrowSkeletonMapper.h"
 
-#include "vtkSkeletonGlyphs.h"
+#include "vtkMarrowSkeletonGlyphs.h"
 
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -12,30 +12,30 @@
 
 #include <algorithm>
 
-vtkStandardNewMacro(vtkSkeletonMapper);
+vtkStandardNewMacro(vtkMarrowSkeletonMapper);
 
-vtkSkeletonMapper::vtkSkeletonMapper()
-  : Glyphs(vtkSmartPointer<vtkSkeletonGlyphs>::New())
+vtkMarrowSkeletonMapper::vtkMarrowSkeletonMapper()
+  : Glyphs(vtkSmartPointer<vtkMarrowSkeletonGlyphs>::New())
   , Surface(vtkSmartPointer<vtkPolyDataMapper>::New())
 {
   this->Surface->SetInputConnection(this->Glyphs->GetOutputPort());
   this->Surface->SetScalarModeToUseCellData();
 }
 
-vtkSkeletonMapper::~vtkSkeletonMapper() = default;
+vtkMarrowSkeletonMapper::~vtkMarrowSkeletonMapper() = default;
 
-vtkSkeletonGlyphs* vtkSkeletonMapper::GetGlyphs()
+vtkMarrowSkeletonGlyphs* vtkMarrowSkeletonMapper::GetGlyphs()
 {
   return this->Glyphs;
 }
 
-int vtkSkeletonMapper::FillInputPortInformation(int, vtkInformation* info)
+int vtkMarrowSkeletonMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
 }
 
-bool vtkSkeletonMapper::UpdateSurface()
+bool vtkMarrowSkeletonMapper::UpdateSurface()
 {
   if (this->GetNumberOfInputConnections(0) == 0)
   {
@@ -51,7 +51,7 @@ bool vtkSkeletonMapper::UpdateSurface()
   return true;
 }
 
-void vtkSkeletonMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+void vtkMarrowSkeletonMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (this->UpdateSurface())
   {
@@ -60,12 +60,12 @@ void vtkSkeletonMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   }
 }
 
-void vtkSkeletonMapper::ReleaseGraphicsResources(vtkWindow* window)
+void vtkMarrowSkeletonMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Surface->ReleaseGraphicsResources(window);
 }
 
-double* vtkSkeletonMapper::GetBounds()
+double* vtkMarrowSkeletonMapper::GetBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
   if (this->UpdateSurface())
@@ -75,22 +75,22 @@ double* vtkSkeletonMapper::GetBounds()
   return this->Bounds;
 }
 
-vtkMTimeType vtkSkeletonMapper::GetMTime()
+vtkMTimeType vtkMarrowSkeletonMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Glyphs->GetMTime());
 }
 
-bool vtkSkeletonMapper::HasOpaqueGeometry()
+bool vtkMarrowSkeletonMapper::HasOpaqueGeometry()
 {
   return this->UpdateSurface() && this->Surface->HasOpaqueGeometry();
 }
 
-bool vtkSkeletonMapper::HasTranslucentPolygonalGeometry()
+bool vtkMarrowSkeletonMapper::HasTranslucentPolygonalGeometry()
 {
   return this->UpdateSurface() && this->Surface->HasTranslucentPolygonalGeometry();
 }
 
-void vtkSkeletonMapper::PrintSelf(ostream& os, vtkIndent indent)
+void vtkMarrowSkeletonMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Glyphs:\n";

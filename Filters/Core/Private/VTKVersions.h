@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef marrow_VTKVersions_h
+#define marrow_VTKVersions_h
+
+#include <vtkAlgorithm.h>
+#include <vtkVersionMacros.h>
+
+/// What differs between VTK 9.1 and later ones, each with the version that brought it. No other file
+/// asks for VTK's version.
+namespace marrow::versions
+{
+/// Whether the filter is to stop. VTK 9.3, and the VTK of ParaView 5.11 (9.2.20220823), ask the filters
+/// downstream too.
+inline bool CheckAbort(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+}
+
+#endif
