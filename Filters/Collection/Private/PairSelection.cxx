@@ -47,6 +47,10 @@ void AddSpanningTree(
         next = s;
       }
     }
+    if (next < 0)
+    {
+      return;
+    }
     add(nearest[next], next);
     last = next;
   }
@@ -139,9 +143,8 @@ std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<doubl
           others.emplace_back(SketchDistance(sketches[a], sketches[b]), b);
         }
       }
-      const std::size_t kept = std::min(NumberOfNeighbors, others.size());
-      std::partial_sort(others.begin(), others.begin() + kept, others.end());
-      for (std::size_t i = 0; i < kept; ++i)
+      std::sort(others.begin(), others.end());
+      for (std::size_t i = 0; i < std::min(NumberOfNeighbors, others.size()); ++i)
       {
         add(a, others[i].second);
       }
