@@ -36,8 +36,7 @@ void Add(vtkDataArray* array, ContentKey& key)
   const int components = array->GetNumberOfComponents();
   for (vtkIdType i = 0; i < size; ++i)
   {
-    const double value =
-      array->GetComponent(i / components, static_cast<int>(i % components));
+    const double value = array->GetComponent(i / components, static_cast<int>(i % components));
     key.Add(&value, sizeof(value));
   }
 }

@@ -21,8 +21,8 @@ LabelShares SharesOfWorking(const PreparedSurface& surface, const LabelShares& o
     const int polygon = working.CellOfFullTriangle[t];
     if (polygon >= 0)
     {
-      shares.row(working.TriangleOfFullTriangle[t]) += static_cast<float>(working.Full.Area(t)) *
-        ofCells.row(surface.CellOfPolygon[polygon]);
+      shares.row(working.TriangleOfFullTriangle[t]) +=
+        static_cast<float>(working.Full.Area(t)) * ofCells.row(surface.CellOfPolygon[polygon]);
     }
   }
   SharpenShares(shares, 1.0);

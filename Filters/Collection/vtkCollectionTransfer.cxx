@@ -205,8 +205,8 @@ void Collect(const std::vector<ShapeOfLeaf>& shapes,
       leaf.MeanConfidence = 1.0;
       continue;
     }
-    marrow::CellLabels ofCells = marrow::ToCells(
-      leaf.Collected->Side.Surface, ofLeaves[l].Labels, ofLeaves[l].Confidence);
+    marrow::CellLabels ofCells =
+      marrow::ToCells(leaf.Collected->Side.Surface, ofLeaves[l].Labels, ofLeaves[l].Confidence);
     leaf.Labels = std::move(ofCells.Labels);
     leaf.Confidence = std::move(ofCells.Confidence);
     SetMeanConfidence(leaf);
@@ -255,12 +255,11 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
     note->InsertNextValue(leaf.Note);
   }
   table->Initialize();
-  for (vtkAbstractArray* column : { static_cast<vtkAbstractArray*>(block.Get()),
-         static_cast<vtkAbstractArray*>(isSource.Get()),
-         static_cast<vtkAbstractArray*>(source.Get()),
-         static_cast<vtkAbstractArray*>(confidence.Get()),
-         static_cast<vtkAbstractArray*>(against.Get()),
-         static_cast<vtkAbstractArray*>(note.Get()) })
+  for (vtkAbstractArray* column :
+    { static_cast<vtkAbstractArray*>(block.Get()), static_cast<vtkAbstractArray*>(isSource.Get()),
+      static_cast<vtkAbstractArray*>(source.Get()),
+      static_cast<vtkAbstractArray*>(confidence.Get()),
+      static_cast<vtkAbstractArray*>(against.Get()), static_cast<vtkAbstractArray*>(note.Get()) })
   {
     table->AddColumn(column);
   }
@@ -348,7 +347,8 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     Leaf& leaf = leaves[l];
     if (!leaf.Mesh)
     {
-      warn(leaf, std::string("it is a ") + leaf.Data->GetClassName() +
+      warn(leaf,
+        std::string("it is a ") + leaf.Data->GetClassName() +
           ", not a vtkPolyData, and is left as it is: extract its surface first.");
       continue;
     }
@@ -463,8 +463,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   {
     if (leaf.IsSource && leaf.Mesh && !segmentNames)
     {
-      segmentNames =
-        leaf.Mesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName);
+      segmentNames = leaf.Mesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName);
     }
   }
   vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
@@ -474,9 +473,10 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   {
     if (leaf.Mesh && leaf.IsWholeAlignment)
     {
-      warn(leaf, "the skeletons bring it and the labelled meshes together no better than their "
-                 "principal axes: they are aligned as wholes, and the segments are only as good as "
-                 "that.");
+      warn(leaf,
+        "the skeletons bring it and the labelled meshes together no better than their "
+        "principal axes: they are aligned as wholes, and the segments are only as good as "
+        "that.");
     }
     if (leaf.Mesh)
     {

@@ -14,9 +14,9 @@
  * both ways, as vtkSegmentationTransfer does one way.
  *
  * The labels spread: every mesh without labels hears from the labelled ones it is matched with, then also
- * from the others, in two rounds. A teller counts exp(-4 e) for e = all that speaks against the answer (the
- * cost of the matching, differing thickness, uneven cover), half of that where the meshes are aligned as
- * wholes; after each round the shares of the labels are raised to the power of 1.5. At first this is done
+ * from the others, in two rounds. A teller counts exp(-6 e) for e = all that speaks against the answer (the
+ * cost of the matching, differing thickness, uneven cover, turned normals), half of that where the meshes are aligned as
+ * wholes, and twice that if it is labelled; after each round the shares of the labels are raised to the power of 1.5. At first this is done
  * coarsely, and every pair's answer is chosen anew, twice: that one against which least is to be said, what
  * it carries differing from what all others say being one thing more. With the answers so chosen the labels
  * spread once more at the resolution of the working surfaces, from all labelled meshes and the eight others
@@ -42,7 +42,7 @@
  * - 1, a vtkTable with a row for each leaf in their order: Block (string, its name; "block 3" without one),
  *   IsSource (unsigned char, 1 where it was labelled), Source (string, the labelled mesh that counts most
  *   for it), Confidence (double, mean of SegmentConfidence over the area), Against (double, what speaks
- *   against the answer taken of that source, 0 to 3), Note (string, what was mended and what went wrong).
+ *   against the answer taken of that source, 0 to 5, good ones below 1), Note (string, what was mended and what went wrong).
  *
  * Errors: no leaf that can be used is labelled; more than 500 different segments.
  * Warnings, each of which names the leaf: one that is no vtkPolyData, has no face, points that are not

@@ -176,7 +176,8 @@ int vtkSegmentationFusion::RequestData(vtkInformation* vtkNotUsed(request),
     {
       const marrow::Labelling& x = labellings[a];
       const marrow::Labelling& y = labellings[b];
-      return std::tie(x.Labels, x.Confidence, x.Weight) < std::tie(y.Labels, y.Confidence, y.Weight);
+      return std::tie(x.Labels, x.Confidence, x.Weight) <
+        std::tie(y.Labels, y.Confidence, y.Weight);
     });
   std::vector<marrow::Labelling> sorted;
   for (const std::size_t i : order)
@@ -212,8 +213,7 @@ int vtkSegmentationFusion::RequestData(vtkInformation* vtkNotUsed(request),
   // Viewers prefer point scalars to cell scalars.
   output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, fused.Confidence);
-  marrow::SetArray(
-    output->GetCellData(), marrow::names::SegmentDisagreement, votes.Disagreement);
+  marrow::SetArray(output->GetCellData(), marrow::names::SegmentDisagreement, votes.Disagreement);
   output->GetFieldData()->RemoveArray(marrow::names::MatchingCost);
   WriteShares(votes, output);
   WriteWeights(labellings, output);

@@ -42,8 +42,8 @@ struct SideTransferResult
   int NumberOfMissingPieces = 0;        ///< of the body that misses most
   /// Of the matching, the mean over the area; 1 where nothing is matched.
   double Cost = 0.0;
-  bool IsMatched = true;                ///< every body has a matched branch
-  bool IsWholeAlignment = false;        ///< some body is aligned as a whole
+  bool IsMatched = true;         ///< every body has a matched branch
+  bool IsWholeAlignment = false; ///< some body is aligned as a whole
 };
 
 /// Each body of the target takes its segments from the body of the source that matches it at the least

@@ -23,8 +23,8 @@ TEST(LabelShares, LinksAreWeighted)
   const LabelShares other = SharesOfLabels({ -1, 7 }, labels);
   const std::vector<int> found{ 0, 1 };
   const std::vector<float> unsure{ 0.0f, 1.0f };
-  LabelShares sum = GatherShares(
-    { { &one, &found, nullptr, 3.0 }, { &other, &found, &unsure, 2.0 }, {} }, 2, 3);
+  LabelShares sum =
+    GatherShares({ { &one, &found, nullptr, 3.0 }, { &other, &found, &unsure, 2.0 }, {} }, 2, 3);
   SharpenShares(sum, 1.0);
   EXPECT_FLOAT_EQ(sum(0, 1), 0.75f); // the other counts half where it is unsure
   EXPECT_FLOAT_EQ(sum(0, 0), 0.25f);
@@ -43,8 +43,7 @@ TEST(LabelShares, NothingKnownStaysNothing)
 TEST(PairSelection, SmallCollectionsAreMatchedInFull)
 {
   const std::vector<std::vector<double>> sketches(5, { 1.0 });
-  const auto pairs =
-    SelectPairs(sketches, { 0, 0, 1, 2, 3 }, { false, false, false, true, true });
+  const auto pairs = SelectPairs(sketches, { 0, 0, 1, 2, 3 }, { false, false, false, true, true });
   // Not two bodies of one mesh, and not two sources.
   EXPECT_EQ(pairs.size(), 10u - 1u - 1u);
   EXPECT_FALSE(std::count(pairs.begin(), pairs.end(), std::make_pair(0, 1)));

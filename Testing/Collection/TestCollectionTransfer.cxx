@@ -92,7 +92,8 @@ const std::vector<Mesh>& Bipeds()
   return meshes;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> Blocks(const std::vector<vtkSmartPointer<vtkDataObject>>& leaves)
+vtkSmartPointer<vtkMultiBlockDataSet> Blocks(
+  const std::vector<vtkSmartPointer<vtkDataObject>>& leaves)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -322,8 +323,7 @@ TEST(CollectionTransfer, AnyTreeOfDatasets)
   vtkNew<vtkCollectionTransfer> collection;
   collection->SetInputDataObject(tree);
   collection->Update();
-  auto* output =
-    vtkPartitionedDataSetCollection::SafeDownCast(collection->GetOutputDataObject(0));
+  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(collection->GetOutputDataObject(0));
   ASSERT_TRUE(output);
   auto* labelled = vtkPolyData::SafeDownCast(output->GetPartition(1, 0));
   ASSERT_TRUE(labelled);

@@ -156,8 +156,7 @@ TEST(SegmentationFusion, CostAndConfidenceWeigh)
   EXPECT_GE(Agreement(Fuse({ bad, good })), 0.95);
   EXPECT_GE(Agreement(Fuse({ bad, good, bad })), 0.95); // exp(-0.8) against twice exp(-3.2)
   const Mesh unsure = Exchanged(3, 4);
-  SetArray(unsure->GetCellData(), names::SegmentConfidence,
-    std::vector<double>(truth.size(), 0.2));
+  SetArray(unsure->GetCellData(), names::SegmentConfidence, std::vector<double>(truth.size(), 0.2));
   EXPECT_GE(Agreement(Fuse({ unsure, With(truth) })), 0.95);
   const Mesh fused = Fuse({ bad, good });
   vtkDataArray* weights = fused->GetFieldData()->GetArray(names::LabellingWeight);
@@ -176,8 +175,8 @@ TEST(SegmentationFusion, TheOrderDecidesNothing)
     const Mesh one = Fuse(labellings, estimateTrust);
     const Mesh other = Fuse(turned, estimateTrust);
     EXPECT_EQ(LabelsOf(one), LabelsOf(other));
-    EXPECT_EQ(CellValues(one, names::SegmentConfidence),
-      CellValues(other, names::SegmentConfidence));
+    EXPECT_EQ(
+      CellValues(one, names::SegmentConfidence), CellValues(other, names::SegmentConfidence));
   }
 }
 
@@ -205,8 +204,8 @@ TEST(SegmentationFusion, TrustIsEstimatedFromAgreement)
   }
   EXPECT_LT(rates[3], 0.1);
   EXPECT_EQ(labellings[3].Weight, 0.0);
-  EXPECT_GE(Agreement(Fuse(
-              { Exchanged(1, 2), With(nonsense), Exchanged(3, 4), Exchanged(5, 6) }, true)),
+  EXPECT_GE(
+    Agreement(Fuse({ Exchanged(1, 2), With(nonsense), Exchanged(3, 4), Exchanged(5, 6) }, true)),
     0.95);
 }
 

@@ -13,6 +13,10 @@ print(np.bincount(labelled.segments))  # (m,) int: one per face
 print(labelled.confidence.mean())      # (m,) float, 0 to 1: how sure each of them is
 marrow.write(labelled, "cow.vtp")      # all arrays; "cow.seg" is for the segments alone
 
+herd = {name: marrow.read(f"meshes/{name}.off") for name in ("camel", "cow", "bull")}
+for mesh in marrow.collection(herd, segments={"camel": camel.segments}):
+    print(mesh.name, "by", mesh.source or "hand", f"{mesh.sureness:.2f}", mesh.remark)
+
 points, faces = camel.points, camel.faces  # (n, 3) float, (m, 3) int
 by_arrays = marrow.transfer((points, faces), cow.polydata, segments=camel.segments)
 assert (by_arrays.segments == labelled.segments).all()

@@ -7,7 +7,7 @@ import typing
 import unittest
 
 import marrow
-from marrow import _correspondence, _creature, _measures, _picture, _skeleton, _transfer, vtk
+from marrow import _collection, _correspondence, _creature, _measures, _picture, _skeleton, _transfer, vtk
 from marrow._parameters import choices_of, set_parameter, set_parameters, snake_case
 
 # Function, its keyword arguments, its class, parameters that the function has by another way.
@@ -17,6 +17,8 @@ FUNCTIONS = [
     (marrow.correspond, _correspondence.CorrespondenceParameters,
      vtk.vtkSkeletonCorrespondence, set()),
     (marrow.transfer, _transfer.TransferParameters, vtk.vtkSegmentationTransfer, set()),
+    (marrow.collection, _collection.CollectionParameters, vtk.vtkCollectionTransfer, set()),
+    (marrow.fuse, _collection.FusionParameters, vtk.vtkSegmentationFusion, set()),
     (marrow.creature, _creature.CreatureParameters, vtk.vtkCreatureSource, {"shape"}),
     (marrow.render, _picture.SceneParameters, vtk.vtkMarrowSideBySideScene, {"color_skeleton_by"}),
 ]
@@ -94,7 +96,7 @@ class TestParameters(unittest.TestCase):
     def other_value(instance, setter, value):
         if isinstance(value, tuple):
             return (0.5, 0.25, 0.125)
-        if isinstance(value, str):
+        if value is None or isinstance(value, str):
             return "Other"
         if isinstance(value, bool):
             return not value

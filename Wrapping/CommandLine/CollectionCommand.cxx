@@ -11,10 +11,10 @@
 #include <vtkCollectionTransfer.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkInformation.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkMarrowSideBySideScene.h>
 #include <vtkTable.h>
 
 #include <filesystem>
@@ -39,13 +39,16 @@ CLI::App* CollectionCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app = marrow.add_subcommand(
     "collection", "Label all meshes of a folder from those of them that are labelled");
-  app->add_option("folder", this->Folder,
+  app
+    ->add_option("folder", this->Folder,
       "Folder of meshes of one kind. One with NAME.seg beside it, or with segments of its own, is "
       "labelled; equal numbers are equal segments on all of them")
     ->required()
     ->check(CLI::ExistingDirectory);
-  app->add_option("-o,--output", this->Output,
-      "Folder for what was labelled, for summary.csv and summary.json, and for what another run can use")
+  app
+    ->add_option("-o,--output", this->Output,
+      "Folder for what was labelled, for summary.csv and summary.json, and for what another run "
+      "can use")
     ->required();
   app->add_option("--format", this->Format, "What to write for each mesh")
     ->check(CLI::IsMember(Formats()))
@@ -54,13 +57,14 @@ CLI::App* CollectionCommand::Declare(CLI::App& marrow)
     std::string(files::LabelsHelp) + " (default: the array SegmentId, where it is)");
   app->add_option("--report", this->Report,
     "A page (.html) to look through the result, the least sure first; needs an X display");
-  app->footer(
-    "Examples:\n"
-    "  marrow collection animals -o labelled\n"
-    "  marrow collection animals -o labelled --format seg\n"
-    "To correct one, put its corrected NAME.seg beside it and run again: only what depends on it is done "
-    "anew. Ctrl-C loses nothing that is done. A mesh that cannot be used is named, and the others are "
-    "done; the exit code is then 1.");
+  app->footer("Examples:\n"
+              "  marrow collection animals -o labelled\n"
+              "  marrow collection animals -o labelled --format seg\n"
+              "To correct one, put its corrected NAME.seg beside it and run again: only what "
+              "depends on it is done "
+              "anew. Ctrl-C loses nothing that is done. A mesh that cannot be used is named, and "
+              "the others are "
+              "done; the exit code is then 1.");
   return app;
 }
 
@@ -70,7 +74,8 @@ void CollectionCommand::RequireOutput() const
   if (fs::equivalent(this->Folder, this->Output))
   {
     throw CommandError(this->Output +
-      ": what is written there would be taken for labelled by the next run; choose another folder.");
+      ": what is written there would be taken for labelled by the next run; choose another "
+      "folder.");
   }
   files::RequireWritable((fs::path(this->Output) / "summary.csv").string());
   if (this->Report.empty())
@@ -128,8 +133,7 @@ std::vector<vtkPolyData*> CollectionCommand::Label(vtkCollectionTransfer* transf
 void CollectionCommand::Run(Console& console)
 {
   this->RequireOutput();
-  const std::vector<CollectionEntry> entries =
-    ReadCollection(this->Folder, this->Labels, console);
+  const std::vector<CollectionEntry> entries = ReadCollection(this->Folder, this->Labels, console);
   vtkNew<vtkCollectionTransfer> transfer;
   const std::vector<vtkPolyData*> meshes = this->Label(transfer, entries, console);
   const std::vector<CollectionRow> rows =

@@ -81,8 +81,8 @@ std::vector<CollectionEntry> ReadCollection(
   }
   if (paths.empty())
   {
-    throw CommandError(folder + ": there is no mesh in it; known are " + files::ReadableMeshes() +
-      ".");
+    throw CommandError(
+      folder + ": there is no mesh in it; known are " + files::ReadableMeshes() + ".");
   }
   std::sort(paths.begin(), paths.end());
   std::vector<CollectionEntry> entries;
@@ -99,8 +99,8 @@ std::vector<CollectionEntry> ReadCollection(
     {
       if (!isFree)
       {
-        throw CommandError(entry.File + ": it has the name of " + other->second +
-          " and is left out: rename one.");
+        throw CommandError(
+          entry.File + ": it has the name of " + other->second + " and is left out: rename one.");
       }
       Read(entry, labels, console);
     }

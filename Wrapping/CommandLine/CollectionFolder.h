@@ -13,10 +13,10 @@ class vtkPolyData;
 /// A mesh file of a folder.
 struct CollectionEntry
 {
-  std::string Name;    ///< without folder and ending
-  std::string File;    ///< with the folder
-  std::string Segments; ///< the segment file beside it; empty: none
-  std::string Error;   ///< why it cannot be used; empty: it can
+  std::string Name;                  ///< without folder and ending
+  std::string File;                  ///< with the folder
+  std::string Segments;              ///< the segment file beside it; empty: none
+  std::string Error;                 ///< why it cannot be used; empty: it can
   vtkSmartPointer<vtkPolyData> Mesh; ///< with the cell array SegmentId if it is labelled
 };
 

@@ -5,10 +5,10 @@
 
 #include <vtkBase64Utilities.h>
 #include <vtkImageData.h>
+#include <vtkMarrowSideBySideScene.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
-#include <vtkMarrowSideBySideScene.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstdio>
@@ -96,8 +96,8 @@ std::string Picture(const CollectionRow& row, vtkPolyData* source, vtkPolyData* 
 }
 }
 
-std::string CollectionReport(const std::vector<CollectionRow>& rows,
-  const std::map<std::string, vtkPolyData*>& meshOfName)
+std::string CollectionReport(
+  const std::vector<CollectionRow>& rows, const std::map<std::string, vtkPolyData*>& meshOfName)
 {
   const auto meshOf = [&](const std::string& name)
   {
@@ -128,8 +128,10 @@ std::string CollectionReport(const std::vector<CollectionRow>& rows,
   return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                      "<title>Collection</title>\n<style>") +
     Style + "</style>\n</head>\n<body>\n<h1>Collection</h1>\n<p>Labelled: " + sources +
-    ". Below are the others, the least sure first: the labelled mesh that each trusted most, its segments "
-    "(equal colours are equal segments), and how sure they are. To correct one, put a segment file of its "
+    ". Below are the others, the least sure first: the labelled mesh that each trusted most, its "
+    "segments "
+    "(equal colours are equal segments), and how sure they are. To correct one, put a segment file "
+    "of its "
     "name beside it and run again.</p>\n" +
     failed + figures + "</body>\n</html>\n";
 }

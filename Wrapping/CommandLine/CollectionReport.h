@@ -13,7 +13,7 @@ class vtkPolyData;
 /// A page to look through: each mesh that was labelled in its segments and in its confidence, beside the
 /// labelled mesh that it trusted most, the least sure first. Self-contained: the pictures are in it. Needs
 /// a display.
-std::string CollectionReport(const std::vector<CollectionRow>& rows,
-  const std::map<std::string, vtkPolyData*>& meshOfName);
+std::string CollectionReport(
+  const std::vector<CollectionRow>& rows, const std::map<std::string, vtkPolyData*>& meshOfName);
 
 #endif

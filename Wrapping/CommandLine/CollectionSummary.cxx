@@ -10,6 +10,8 @@
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -64,30 +66,6 @@ std::string CsvText(const std::string& text)
   }
   return quoted + "\"";
 }
-
-std::string JsonText(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-    {
-      quoted += std::string("\\") + c;
-    }
-    else if (code < 0x20)
-    {
-      char escaped[8];
-      std::snprintf(escaped, sizeof(escaped), "\\u%04x", static_cast<unsigned int>(code));
-      quoted += escaped;
-    }
-    else
-    {
-      quoted += c;
-    }
-  }
-  return quoted + "\"";
-}
 }
 
 std::vector<CollectionRow> Summarize(const std::vector<CollectionEntry>& entries, vtkTable* table,
@@ -123,8 +101,9 @@ std::vector<CollectionRow> Summarize(const std::vector<CollectionEntry>& entries
 
 std::vector<CollectionRow> LeastSureFirst(std::vector<CollectionRow> rows)
 {
-  const auto rank = [](const CollectionRow& row)
-  { return row.Role == "target" ? 0 : row.Role == "failed" ? 1 : 2; };
+  const auto rank = [](const CollectionRow& row) {
+    return row.Role == "target" ? 0 : row.Role == "failed" ? 1 : 2;
+  };
   std::stable_sort(rows.begin(), rows.end(),
     [&](const CollectionRow& a, const CollectionRow& b)
     { return std::make_tuple(rank(a), a.Confidence) < std::make_tuple(rank(b), b.Confidence); });
@@ -163,20 +142,19 @@ std::string ToCsv(const std::vector<CollectionRow>& rows)
 
 std::string ToJson(const std::vector<CollectionRow>& rows)
 {
-  std::string json = "[";
+  using Value = nlohmann::ordered_json;
+  Value table = Value::array();
   for (const CollectionRow& row : rows)
   {
-    json += json.size() > 1 ? ",\n " : "\n ";
-    json += "{\"mesh\": " + JsonText(row.Name) + ", \"file\": " + JsonText(row.File) +
-      ", \"role\": " + JsonText(row.Role) + ", \"source\": " + JsonText(row.Source) +
-      ", \"confidence\": " + Number(row.Confidence) + ", \"against\": " + Number(row.Against) +
-      ", \"areas\": {";
-    std::string areas;
+    Value areas = Value::object();
     for (const auto& [label, area] : row.AreaOfLabel)
     {
-      areas += (areas.empty() ? "" : ", ") + JsonText(std::to_string(label)) + ": " + Number(area);
+      areas[std::to_string(label)] = area;
     }
-    json += areas + "}, \"note\": " + JsonText(row.Note) + "}";
+    table.push_back({ { "mesh", row.Name }, { "file", row.File }, { "role", row.Role },
+      { "source", row.Source }, { "confidence", row.Confidence }, { "against", row.Against },
+      { "areas", areas }, { "note", row.Note } });
   }
-  return json + "\n]\n";
+  // A name that is no UTF-8 must not end the program.
+  return table.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }

@@ -34,11 +34,10 @@ std::vector<LabelShares> SharesOfCoarseSources(const CollectionGraph& graph)
 LabelShares Tell(const CollectionGraph& graph, const std::vector<LabelShares>& ofTriangles,
   const Teller& teller, std::size_t answer, double weight)
 {
-  const CollectionShape& told =
-    graph.GetShape(graph.GetLinks()[teller.Link].Shapes[teller.Side]);
+  const CollectionShape& told = graph.GetShape(graph.GetLinks()[teller.Link].Shapes[teller.Side]);
   const TriedAnswer& tried = graph.GetLinks()[teller.Link].Pair->GetAnswers()[answer];
-  return GatherShares({ { &ofTriangles[teller.Shape], &tried.FoundTriangles[teller.Side], nullptr,
-                        weight } },
+  return GatherShares(
+    { { &ofTriangles[teller.Shape], &tried.FoundTriangles[teller.Side], nullptr, weight } },
     told.Coarse.Side.Mesh.NumberOfVertices(), graph.NumberOfLabels());
 }
 
@@ -68,8 +67,7 @@ void AddVotesAt(const CollectionGraph& graph, const std::vector<LabelShares>& of
   const std::vector<Teller>& tellers = graph.GetTellers(shape);
   const CoarseMesh& coarse = graph.GetShape(shape).Coarse;
   std::vector<LabelShares> told;
-  LabelShares all =
-    LabelShares::Zero(coarse.Side.Mesh.NumberOfVertices(), graph.NumberOfLabels());
+  LabelShares all = LabelShares::Zero(coarse.Side.Mesh.NumberOfVertices(), graph.NumberOfLabels());
   for (const Teller& teller : tellers)
   {
     const CollectionLink& link = graph.GetLinks()[teller.Link];
@@ -83,8 +81,8 @@ void AddVotesAt(const CollectionGraph& graph, const std::vector<LabelShares>& of
     Ballot& ballot = ballots[tellers[i].Link];
     for (std::size_t a = 0; a < ballot.Differences.size(); ++a)
     {
-      ballot.Differences[a] += Difference(
-        rest, Tell(graph, ofTriangles, tellers[i], a, 1.0), coarse.Shares);
+      ballot.Differences[a] +=
+        Difference(rest, Tell(graph, ofTriangles, tellers[i], a, 1.0), coarse.Shares);
     }
     ++ballot.NumberOfEnds;
   }
@@ -118,9 +116,11 @@ bool VoteOnAnswers(CollectionGraph& graph, const Progress& progress)
   {
     const auto done = [&](double part) { return (vote + part) / NumberOfVotes; };
     std::vector<LabelShares> ofTriangles = ofSources;
-    SpreadInRounds(graph,
-      [&](const Teller& teller)
-      { return ShareLink{ nullptr, &graph.AnswerOf(teller).FoundTriangles[teller.Side] }; },
+    SpreadInRounds(
+      graph,
+      [&](const Teller& teller) {
+        return ShareLink{ nullptr, &graph.AnswerOf(teller).FoundTriangles[teller.Side] };
+      },
       [&](int shape) -> const TriangleMesh& { return graph.GetShape(shape).Coarse.Side.Mesh; },
       ofTriangles);
     std::vector<Ballot> ballots;

@@ -64,7 +64,8 @@ LabelShares SharesOfCells(
   return shares;
 }
 
-LabelShares GatherShares(const std::vector<ShareLink>& links, int numberOfVertices, int numberOfLabels)
+LabelShares GatherShares(
+  const std::vector<ShareLink>& links, int numberOfVertices, int numberOfLabels)
 {
   LabelShares shares = LabelShares::Zero(numberOfVertices, numberOfLabels);
   ParallelFor(0, numberOfVertices,

@@ -40,7 +40,8 @@ struct ShareLink
 
 /// The weighted sum of what the links tell, per vertex. Links without shares, and rows of which nothing is
 /// known, tell nothing.
-LabelShares GatherShares(const std::vector<ShareLink>& links, int numberOfVertices, int numberOfLabels);
+LabelShares GatherShares(
+  const std::vector<ShareLink>& links, int numberOfVertices, int numberOfLabels);
 
 /// Makes the rows sum to 1 (those of zeros stay) after raising them to a power: above 1, what is
 /// likelier becomes likelier still, and what a few wrong maps brought fades.

@@ -33,8 +33,8 @@ std::vector<Teller> ChooseTellers(const CollectionGraph& graph, int shape)
       others.emplace_back(graph.WeightOf(teller), teller);
     }
   }
-  std::stable_sort(others.begin(), others.end(),
-    [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(
+    others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t i = 0; i < others.size() && i < static_cast<std::size_t>(MostOthers); ++i)
   {
     chosen.push_back(others[i].second);
@@ -57,8 +57,8 @@ LabelHabits HabitsFor(
   return habits;
 }
 
-SpreadLabels LabelShape(const CollectionGraph& graph, int shape, const LabelShares& ofVertices,
-  const LabelHabits& habits)
+SpreadLabels LabelShape(
+  const CollectionGraph& graph, int shape, const LabelShares& ofVertices, const LabelHabits& habits)
 {
   const TriangleMesh& mesh = graph.GetShape(shape).Fine.Mesh;
   CutLabels cut = CutShares(mesh, ofVertices, graph.GetDifferentLabels(), habits, {});
@@ -133,7 +133,8 @@ std::vector<SpreadLabels> SpreadOverGraph(const CollectionGraph& graph, const Pr
       habits[s].Add(graph.GetShape(s).Fine.Mesh, graph.GetLabels(s), 1.0);
     }
   }
-  const std::vector<LabelShares> ofVertices = SpreadInRounds(graph,
+  const std::vector<LabelShares> ofVertices = SpreadInRounds(
+    graph,
     [&](const Teller& teller)
     {
       const CollectionLink& link = graph.GetLinks()[teller.Link];

@@ -12,7 +12,7 @@ namespace marrow
 /// What a shape without labels got.
 struct SpreadLabels
 {
-  std::vector<int> Labels;        ///< per triangle
+  std::vector<int> Labels; ///< per triangle
   /// Per triangle, [0,1]: the share of its label, if one more teller, of the sort against which all is to
   /// be said, told something else.
   std::vector<double> Confidence;

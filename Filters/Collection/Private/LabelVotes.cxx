@@ -74,8 +74,8 @@ std::vector<double> WeighByTrust(
       double total = 0.0;
       for (std::size_t f = 0; f < weightOfFace.size(); ++f)
       {
-        const auto place = std::lower_bound(
-          votes.Labels.begin(), votes.Labels.end(), labellings[k].Labels[f]);
+        const auto place =
+          std::lower_bound(votes.Labels.begin(), votes.Labels.end(), labellings[k].Labels[f]);
         right += weightOfFace[f] *
           votes.Shares(static_cast<Eigen::Index>(f), place - votes.Labels.begin());
         total += weightOfFace[f];

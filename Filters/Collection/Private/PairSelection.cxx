@@ -18,8 +18,8 @@ constexpr std::size_t NumberOfBranches = 12;
 constexpr std::size_t NumberOfNeighbors = SmallCollection / 3;
 
 /// Prim's algorithm: pairs that join all shapes at the least sum of distances.
-void AddSpanningTree(const std::vector<std::vector<double>>& sketches,
-  const std::function<void(int, int)>& add)
+void AddSpanningTree(
+  const std::vector<std::vector<double>>& sketches, const std::function<void(int, int)>& add)
 {
   const int n = static_cast<int>(sketches.size());
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
@@ -46,6 +46,10 @@ void AddSpanningTree(const std::vector<std::vector<double>>& sketches,
       {
         next = s;
       }
+    }
+    if (next < 0)
+    {
+      return;
     }
     add(nearest[next], next);
     last = next;
@@ -139,9 +143,8 @@ std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<doubl
           others.emplace_back(SketchDistance(sketches[a], sketches[b]), b);
         }
       }
-      const std::size_t kept = std::min(NumberOfNeighbors, others.size());
-      std::partial_sort(others.begin(), others.begin() + kept, others.end());
-      for (std::size_t i = 0; i < kept; ++i)
+      std::sort(others.begin(), others.end());
+      for (std::size_t i = 0; i < std::min(NumberOfNeighbors, others.size()); ++i)
       {
         add(a, others[i].second);
       }

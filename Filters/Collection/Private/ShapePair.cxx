@@ -59,8 +59,8 @@ bool ShapePair::MatchAgain(const Progress& progress)
   const std::lock_guard<std::mutex> lock(this->Guard);
   if (this->Answers.empty())
   {
-    this->Answers = marrow::FindAnswers(
-      this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, progress);
+    this->Answers =
+      marrow::FindAnswers(this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, progress);
   }
   return !this->Answers.empty();
 }
@@ -137,14 +137,12 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   const DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother),
     AlignWhole(source.Mesh, target.Mesh));
   bool isStopped = false;
-  const DenseMap map =
-    mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(),
-      [&](double fraction)
-      {
-        isStopped = isStopped ||
-          !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
-        return !isStopped;
-      });
+  const DenseMap map = mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(),
+    [&](double fraction)
+    {
+      isStopped = isStopped || !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
+      return !isStopped;
+    });
   if (!isStopped)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -210,8 +208,8 @@ bool ShapePair::Read(std::istream& stream)
       {
         std::uint8_t isWhole = 0;
         if (!ReadValue(stream, isWhole) ||
-          !ReadVector(stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(),
-            tried.FoundTriangles[side]))
+          !ReadVector(
+            stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(), tried.FoundTriangles[side]))
         {
           return false;
         }

@@ -31,7 +31,8 @@ struct TriedAnswer
   double Cost = 1.0; ///< by the skeletons; 1 where nothing is matched
   double Confidence = 0.0;
   double Against = 0.0; ///< what speaks against it, by the mean of both ways: Evidence's sum
-  std::array<std::vector<std::int32_t>, 2> FoundTriangles; ///< per coarse vertex, of the other's coarse mesh
+  std::array<std::vector<std::int32_t>, 2>
+    FoundTriangles; ///< per coarse vertex, of the other's coarse mesh
   std::array<bool, 2> IsWholeAlignment{};
 };
 

@@ -98,8 +98,7 @@ CutLabels CutShares(const TriangleMesh& mesh, const LabelShares& shares,
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     result.Labels.push_back(labels[columns[t]]);
-    result.Shares.push_back(
-      std::clamp(ShareOfTriangle(mesh, blended, t, columns[t]), 0.0, 1.0));
+    result.Shares.push_back(std::clamp(ShareOfTriangle(mesh, blended, t, columns[t]), 0.0, 1.0));
   }
   return result;
 }

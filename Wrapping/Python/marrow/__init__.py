@@ -11,11 +11,12 @@ A mesh is a vtkPolyData (of a subclass too, as pyvista's), a marrow.Mesh, or a p
 arrays of the shapes (n, 3), float, and (m, 3), int. It is never changed. What comes out has the
 vtkPolyData with all arrays, and numpy's read-only views on them.
 
-Functions: measure, skeleton, mean_curvature_skeleton, correspond, transfer, evaluate, render, read,
-write, creature. Their keyword arguments are the parameters of the VTK classes, in marrow.vtk; what is
+Functions: measure, skeleton, mean_curvature_skeleton, correspond, transfer, collection, fuse, evaluate,
+render, read, write, creature. Their keyword arguments are the parameters of the VTK classes, in marrow.vtk; what is
 not given, or None, has the default of the class. Lengths among them are ratios, so units do not
 matter. Errors are marrow.Error, warnings marrow.MarrowWarning; Ctrl-C stops a computation.
 """
+from ._collection import Collected, Fusion, collection, fuse
 from ._correspondence import Correspondence, Match, correspond
 from ._creature import creature
 from ._evaluation import Evaluation, evaluate
@@ -30,9 +31,11 @@ from ._version import __version__
 
 __all__ = [
     "Boundaries",
+    "Collected",
     "Correspondence",
     "Error",
     "Evaluation",
+    "Fusion",
     "MarrowWarning",
     "Match",
     "Measures",
@@ -42,9 +45,11 @@ __all__ = [
     "Skeleton",
     "Transfer",
     "__version__",
+    "collection",
     "correspond",
     "creature",
     "evaluate",
+    "fuse",
     "mean_curvature_skeleton",
     "measure",
     "read",
