@@ -5,6 +5,7 @@
 #include "LegacyVTKFile.h"
 #include "StringArrays.h"
 #include "VTKMessages.h"
+#include "VTKVersions.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -100,7 +101,7 @@ std::string CheckTypes(vtkUnstructuredGrid* grid)
   {
     const int type = grid->GetCellType(cell);
     const int least = LeastPoints(type);
-    if (least < 0 || (type == VTK_POLYHEDRON && !grid->GetFaces()))
+    if (least < 0 || (type == VTK_POLYHEDRON && !versions::HasPolyhedronFaces(grid)))
     {
       return "cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
         ", which cannot be read";

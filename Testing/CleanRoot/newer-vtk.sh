@@ -1,6 +1,6 @@
 #!/bin/bash
-# Marrow with the VTK of a newer Debian: compiles it, without warnings as errors, and runs the tests that draw
-# nothing. By hand, as root, with network; it takes an hour on two cores:
+# Marrow with the VTK of a newer Debian: compiles it and runs the tests of the filters, the pictures and the
+# command. By hand, as root, with network; it takes an hour on two cores:
 #   Testing/CleanRoot/newer-vtk.sh [SUITE]
 # SUITE is trixie (Debian 13, VTK 9.3; the default) or a later one.
 set -euo pipefail
@@ -18,8 +18,9 @@ cd /marrow
 .ci/install-packages.sh
 cmake --preset release -DMARROW_USE_CGAL=OFF -DMARROW_BUILD_EXAMPLES=OFF
 cmake --build build
-ctest --test-dir build --output-on-failure --parallel "$(nproc)" \
-  --label-regex '^(Core|Correspondence|Creatures|Evaluation|IO|Measures|Skeleton|Surface|Transfer)$'
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+  ctest --test-dir build --output-on-failure --parallel "$(nproc)" --label-regex \
+  '^(CommandLine|Core|Correspondence|Creatures|Evaluation|IO|Measures|Rendering|Skeleton|Surface|Transfer)$'
 END
 in_root /build.sh
 echo "Marrow compiles and works with the VTK of Debian's $suite."

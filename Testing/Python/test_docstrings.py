@@ -36,8 +36,8 @@ class TestDocstrings(unittest.TestCase):
         for function in filter(inspect.isfunction, functions):
             for section in ("Parameters", "Returns", "Raises", "Examples"):
                 if (function, section) != (marrow.write, "Returns"):
-                    underlined = rf"\n +{section}\n +{'-' * len(section)}\n"
-                    self.assertRegex(function.__doc__, underlined, function.__name__)
+                    underlined = rf"\n{section}\n{'-' * len(section)}\n"
+                    self.assertRegex(inspect.getdoc(function), underlined, function.__name__)
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ class TestParameters(unittest.TestCase):
         for function, allowed, kind, _ in FUNCTIONS:
             for name in allowed.__annotations__:
                 found = re.search(
-                    rf"^    {name} : (?:int|float), (\S+) to ([\d.]+)", function.__doc__, re.M)
+                    rf"^{name} : (?:int|float), (\S+) to ([\d.]+)", inspect.getdoc(function), re.M)
                 if found:
                     bounds = [getattr(kind(), getter(kind(), name).__name__ + which)()
                               for which in ("MinValue", "MaxValue")]
@@ -66,7 +66,7 @@ class TestParameters(unittest.TestCase):
         for function, allowed, kind, elsewhere in FUNCTIONS:
             for name in [*allowed.__annotations__, *elsewhere - {"color_skeleton_by"}]:
                 found = re.search(
-                    rf"^    (?:\w+, )*{name}(?:, \w+)* : .*, default: (.+)$", function.__doc__, re.M)
+                    rf"^(?:\w+, )*{name}(?:, \w+)* : .*, default: (.+)$", inspect.getdoc(function), re.M)
                 self.assertTrue(found, f"{function.__name__}: {name}")
                 said, is_said, untouched = ast.literal_eval(found.group(1)), kind(), kind()
                 set_parameter(is_said, name, said)

@@ -10,7 +10,8 @@
 CLI::App* SkeletonCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app = marrow.add_subcommand("skeleton", "Compute the skeleton of a mesh");
-  app->add_option("mesh", this->Mesh, "Mesh (" + files::ReadableMeshes() + ")")->required();
+  // Not "mesh": later versions of CLI11 than 2.3 take that for the option --mesh.
+  app->add_option("input", this->Mesh, "Mesh (" + files::ReadableMeshes() + ")")->required();
   app->add_option("-o,--output", this->Output, "The skeleton (.vtp .vtk)")->required();
   app->add_option(
     "--mesh", this->MeshOutput, "Also write the mesh with its measures and SkeletonNodeId");

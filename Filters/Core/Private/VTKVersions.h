@@ -3,6 +3,7 @@
 #define marrow_VTKVersions_h
 
 #include <vtkAlgorithm.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkVersionMacros.h>
 
 /// What differs between VTK 9.1 and later ones, each with the version that brought it. No other file
@@ -17,6 +18,17 @@ inline bool CheckAbort(vtkAlgorithm* filter)
   return filter->CheckAbort();
 #else
   return filter->GetAbortExecute() != 0;
+#endif
+}
+
+/// Whether the grid knows the faces of its polyhedra. VTK 9.4 has another array for them, and 9.6 no longer the
+/// old one.
+inline bool HasPolyhedronFaces(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  return grid->GetPolyhedronFaces() != nullptr;
+#else
+  return grid->GetFaces() != nullptr;
 #endif
 }
 }
