@@ -57,7 +57,7 @@ marrow::AnalyzedMesh InOwnFrame(vtkPolyData* mesh, const marrow::AnalyzedSide& s
   own.DihedralAngle.resize(size);
   for (std::size_t v = 0; v < body.OriginalVertex.size(); ++v)
   {
-    const int vertex = body.OriginalVertex[v];
+    const int vertex = side.Surface.PointOf(body, static_cast<int>(v));
     own.NodeOfVertex[vertex] = framed.NodeOfVertex[v];
     own.MSP[vertex] = body.Frame.LengthFromFrame(framed.MSP[v]);
     own.GradientMagnitude[vertex] = framed.GradientMagnitude[v];

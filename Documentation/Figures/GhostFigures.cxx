@@ -119,7 +119,8 @@ Picture DrawGhostProfile(const std::string&)
     marrow::FindGhostBoundaries(pair.TargetMesh, chain.Target, defaults.Theta, defaults.Kernel) };
   const auto landmark = marrow::MatchGhostBoundaries(ghosts[0], ghosts[1]);
   Canvas canvas(760, 360);
-  const double top = 1.1 * std::max(Highest(profiles[0]), Highest(profiles[1]));
+  // Above the curves there is room for the legend.
+  const double top = 1.6 * std::max(Highest(profiles[0]), Highest(profiles[1]));
   Axes axes(canvas, { 75, 55 }, { 740, 335 }, { 0, 0 }, { 1, top });
   axes.Frame("place along the branch (arc ratio)", "mean |MSP gradient|");
   if (landmark)

@@ -20,7 +20,7 @@ Picture DrawHandles(const std::string& meshes)
   skeletons->SetSurfaceOpacity(0.2);
   skeletons->SetColorSkeletonBy(vtkMarrowSkeletonGlyphs::CORRESPONDENCE);
   skeletons->SetLabelArrayName("");
-  skeletons->AddMesh(pair.Source.Mesh, pair.Source.Skeleton, "skeletons, matched parts alike");
+  skeletons->AddMesh(pair.Source.Mesh, pair.Source.Skeleton, "skeletons");
   skeletons->AddMesh(pair.Target.Mesh, pair.Target.Skeleton);
   const auto segments = Scene(330, 240);
   segments->AlignOff();
