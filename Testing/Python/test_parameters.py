@@ -89,6 +89,8 @@ class TestParameters(unittest.TestCase):
                 value = getter(instance, keyword)()
                 setter = "Set" + getter(instance, keyword).__name__[3:]
                 for other in (self.other_value(instance, setter, value), value):
+                    if other is None:  # leaves what is set
+                        continue
                     set_parameters(instance, function, allowed, {keyword: other})
                     self.assertEqual(getter(instance, keyword)(), other, keyword)
 

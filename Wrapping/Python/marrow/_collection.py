@@ -67,14 +67,28 @@ def collection(
         "SegmentId" is labelled; equal numbers are equal segments on all meshes.
     segments : {name: (m,) int, or the name of a cell array}
         The segments of further labelled meshes, by name.
-    cache_folder : str
+    cache_folder : str or None, default: None
         A folder in which what is found out about pairs of meshes is kept for another run.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if no mesh is labelled; gives a MarrowWarning for each mesh that cannot be used, which
-    comes back as it is. The class vtkCollectionTransfer says the rest.
+    Returns
+    -------
+    iterator of Collected
+        The meshes in their order, all labelled; see also the class vtkCollectionTransfer.
 
+    Raises
+    ------
+    Error
+        If no mesh is labelled.
+
+    Warns
+    -----
+    MarrowWarning
+        For each mesh that cannot be used, which comes back as it is.
+
+    Examples
+    --------
     >>> import marrow
     >>> herd = {str(seed): marrow.creature("biped", seed=seed, pose=0.5) for seed in (1, 2, 3)}
     >>> bare = {name: (mesh.points, mesh.faces) for name, mesh in herd.items()}
@@ -178,13 +192,24 @@ def fuse(
     labellings
         The same mesh with different segments, its cell array "SegmentId": the results of marrow.transfer
         from several sources, or of several people.
-    estimate_trust : bool
+    estimate_trust : bool, default: False
         Each labelling counts by how often it is right, as estimated from all of them.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
-    Raises Error if the labellings are not of one mesh. The class vtkSegmentationFusion says the rest.
+    Returns
+    -------
+    Fusion
+        The mesh with the segments, how sure they are and the votes; see also the class
+        vtkSegmentationFusion.
 
+    Raises
+    ------
+    Error
+        If the labellings are not of one mesh.
+
+    Examples
+    --------
     >>> import marrow
     >>> target = marrow.creature("biped")
     >>> sources = [marrow.creature("biped", seed=seed, pose=0.4) for seed in (2, 3, 4)]
