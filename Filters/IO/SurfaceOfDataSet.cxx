@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceOfDataSet.h"
 
+#include "VTKVersions.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -59,7 +61,7 @@ vtkIdType NumberOfCorners(int type, vtkIdType numberOfPoints)
 bool HasVolume(vtkDataSet* data)
 {
   vtkNew<vtkCellTypes> types;
-  data->GetCellTypes(types);
+  versions::GetDistinctCellTypes(data, types);
   for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
   {
     vtkNew<vtkGenericCell> cell;

@@ -3,6 +3,8 @@
 #define marrow_VTKVersions_h
 
 #include <vtkAlgorithm.h>
+#include <vtkCellTypes.h>
+#include <vtkDataSet.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVersionMacros.h>
 
@@ -29,6 +31,16 @@ inline bool HasPolyhedronFaces(vtkUnstructuredGrid* grid)
   return grid->GetPolyhedronFaces() != nullptr;
 #else
   return grid->GetFaces() != nullptr;
+#endif
+}
+
+/// The types of the cells. VTK 9.6 renamed it.
+inline void GetDistinctCellTypes(vtkDataSet* data, vtkCellTypes* types)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  data->GetDistinctCellTypes(types);
+#else
+  data->GetCellTypes(types);
 #endif
 }
 }
