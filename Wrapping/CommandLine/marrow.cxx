@@ -41,8 +41,8 @@ int main(int argc, char** argv)
   RenderCommand render;
   const std::pair<CLI::App*, Command*> commands[] = { { measure.Declare(app), &measure },
     { skeleton.Declare(app), &skeleton }, { correspond.Declare(app), &correspond },
-    { transfer.Declare(app), &transfer }, { collection.Declare(app), &collection }, { evaluate.Declare(app), &evaluate },
-    { render.Declare(app), &render } };
+    { transfer.Declare(app), &transfer }, { collection.Declare(app), &collection },
+    { evaluate.Declare(app), &evaluate }, { render.Declare(app), &render } };
   CLI11_PARSE(app, argc, argv);
 
   Console console;
