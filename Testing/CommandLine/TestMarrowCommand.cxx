@@ -143,7 +143,8 @@ protected:
 
 TEST_F(MarrowCommand, EverySubcommandHasHelpWithAnExample)
 {
-  for (const std::string command : { "measure", "skeleton", "correspond", "transfer", "collection", "render" })
+  for (const std::string command :
+    { "measure", "skeleton", "correspond", "transfer", "collection", "render" })
   {
     const Outcome outcome = this->Run(command + " --help");
     EXPECT_EQ(outcome.ExitCode, 0);
