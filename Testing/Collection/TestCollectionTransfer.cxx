@@ -346,7 +346,8 @@ TEST(CollectionTransfer, AnAbortIsFeltAndForgotten)
     });
   const unsigned long observer = collection->AddObserver(vtkCommand::ProgressEvent, abort);
   collection->Update();
-  EXPECT_LT(collection->GetProgress(), 0.6);
+  // Pairs that are under way on other threads may end; what comes after them does not begin.
+  EXPECT_LE(collection->GetProgress(), 0.6);
   collection->RemoveObserver(observer);
   collection->SetAbortExecute(0);
   collection->Modified();
