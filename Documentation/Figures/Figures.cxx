@@ -18,7 +18,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSegmentationTransfer.h>
-#include <vtkSkeletonCorrespondence.h>
 #include <vtkSphereSource.h>
 
 #include <algorithm>

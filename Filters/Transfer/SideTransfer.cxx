@@ -123,7 +123,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     }
     const Answer& answer = partner.Answers[ofOne.Answer];
     const double area = AreaOf(target.Bodies[b].Mesh);
-    cost += area * (answer.Match.IsEmpty() ? 1.0 : answer.Cost);
+    cost += area * answer.CostOfMatch();
     wholeArea += area;
     const Body& body = target.Surface.Bodies[b];
     for (std::size_t t = 0; t < ofOne.Labels.size(); ++t)
@@ -134,7 +134,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.MissingLabels.insert(ofOne.MissingLabels.begin(), ofOne.MissingLabels.end());
     result.NumberOfMissingPieces =
       std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
-    result.IsMatched = result.IsMatched && !partner.Answers[ofOne.Answer].Match.IsEmpty();
+    result.IsMatched = result.IsMatched && !answer.Match.IsEmpty();
     result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);

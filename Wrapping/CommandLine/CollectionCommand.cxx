@@ -22,19 +22,6 @@
 
 namespace fs = std::filesystem;
 
-namespace
-{
-std::vector<std::string> Formats()
-{
-  std::vector<std::string> formats = files::WritableMeshes();
-  for (std::string& format : formats)
-  {
-    format.erase(0, 1);
-  }
-  return formats;
-}
-}
-
 CLI::App* CollectionCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app = marrow.add_subcommand(
@@ -51,7 +38,7 @@ CLI::App* CollectionCommand::Declare(CLI::App& marrow)
       "can use")
     ->required();
   app->add_option("--format", this->Format, "What to write for each mesh")
-    ->check(CLI::IsMember(Formats()))
+    ->check(CLI::IsMember(files::Formats()))
     ->capture_default_str();
   app->add_option("--labels", this->Labels,
     std::string(files::LabelsHelp) + " (default: the array SegmentId, where it is)");

@@ -198,6 +198,16 @@ std::vector<std::string> WritableMeshes()
   return endings;
 }
 
+std::vector<std::string> Formats()
+{
+  std::vector<std::string> formats = WritableMeshes();
+  for (std::string& format : formats)
+  {
+    format.erase(0, 1);
+  }
+  return formats;
+}
+
 std::string Extension(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();

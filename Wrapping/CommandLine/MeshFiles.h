@@ -51,6 +51,8 @@ void WriteText(const std::string& path, const std::string& text);
 /// The endings of what can be read as a mesh, and written as one with segments, for help texts.
 std::string ReadableMeshes();
 std::vector<std::string> WritableMeshes();
+/// The latter without their dots, for --format.
+std::vector<std::string> Formats();
 
 /// The extension in lower case, with its dot: ".vtp".
 std::string Extension(const std::string& path);

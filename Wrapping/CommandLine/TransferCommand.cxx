@@ -12,19 +12,6 @@
 #include <filesystem>
 #include <map>
 
-namespace
-{
-std::vector<std::string> Formats()
-{
-  std::vector<std::string> formats = files::WritableMeshes();
-  for (std::string& format : formats)
-  {
-    format.erase(0, 1);
-  }
-  return formats;
-}
-}
-
 CLI::App* TransferCommand::Declare(CLI::App& marrow)
 {
   CLI::App* app =
@@ -40,7 +27,7 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
       "For one target a file (.vtp .vtk .ply .obj .off .seg), for several a folder")
     ->required();
   app->add_option("--format", this->Format, "What to write into the folder")
-    ->check(CLI::IsMember(Formats()))
+    ->check(CLI::IsMember(files::Formats()))
     ->capture_default_str();
   app->add_flag("--skeletons", this->WriteSkeletons,
     "Also write the skeletons, NAME_skeleton.vtp in the folder of the output");

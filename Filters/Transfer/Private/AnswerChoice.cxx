@@ -44,7 +44,7 @@ Evidence Judge(
   const CoarseMesh& source, const CoarseMesh& target, const Answer& answer, const DenseMap& map)
 {
   Evidence evidence;
-  evidence.Cost = answer.Match.IsEmpty() ? 1.0 : answer.Cost;
+  evidence.Cost = answer.CostOfMatch();
   const std::vector<Eigen::Vector3d> sourceNormals = source.Side.Mesh.VertexNormals();
   std::vector<double> surplus(source.NumberOfPatches, 0.0);
   for (std::size_t v = 0; v < source.Patches.size(); ++v)

@@ -18,6 +18,9 @@ struct Answer
   MatchedSkeletons Match;
   double Cost = 1.0;       ///< by the skeletons alone, some 0 to 1
   double Confidence = 1.0; ///< [0,1]
+
+  /// 1 where nothing is matched, which costs the skeletons nothing.
+  double CostOfMatch() const { return this->Match.IsEmpty() ? 1.0 : this->Cost; }
 };
 
 /// More are not tried: the right one is hardly ever farther down, and each takes time.

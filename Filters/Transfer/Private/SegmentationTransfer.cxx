@@ -163,7 +163,6 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
   };
-  const Eigen::Matrix<double, 3, 4> whole = AlignWhole(source.Mesh, target.Mesh);
   result.Answer = ChooseAnswer(source, target, answers, SubProgress(watched, 0.0, 0.3));
   if (result.IsAborted)
   {
@@ -210,7 +209,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     isFindable.push_back(isTransferred[piece]);
   }
-  const DenseMapper mapper(source, target, isFindable, whole);
+  const DenseMapper mapper(source, target, isFindable, AlignWhole(source.Mesh, target.Mesh));
   const DenseMap map = mapper.Map(places, anyMatched, SubProgress(watched, 0.5, 0.8));
   if (!watched(0.8))
   {
