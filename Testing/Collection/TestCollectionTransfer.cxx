@@ -37,14 +37,6 @@ namespace
 {
 using Mesh = vtkSmartPointer<vtkPolyData>;
 
-std::vector<int> LabelsOf(vtkPolyData* mesh)
-{
-  std::vector<int> labels;
-  GetArray(
-    mesh->GetCellData(), names::SegmentId, static_cast<int>(mesh->GetNumberOfCells()), labels);
-  return labels;
-}
-
 std::vector<double> ConfidenceOf(vtkPolyData* mesh)
 {
   std::vector<double> confidence;

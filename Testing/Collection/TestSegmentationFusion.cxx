@@ -24,14 +24,6 @@ namespace
 {
 using Mesh = vtkSmartPointer<vtkPolyData>;
 
-std::vector<int> LabelsOf(vtkPolyData* mesh)
-{
-  std::vector<int> labels;
-  GetArray(
-    mesh->GetCellData(), names::SegmentId, static_cast<int>(mesh->GetNumberOfCells()), labels);
-  return labels;
-}
-
 std::vector<double> CellValues(vtkPolyData* mesh, const char* name)
 {
   std::vector<double> values;

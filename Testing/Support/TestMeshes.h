@@ -72,6 +72,15 @@ inline Creature MakeCreature(int shape, const CreatureOptions& options = {})
   return { source->GetOutput(0), source->GetOutput(1) };
 }
 
+/// Per cell its SegmentId.
+inline std::vector<int> LabelsOf(vtkPolyData* mesh)
+{
+  std::vector<int> labels;
+  GetArray(
+    mesh->GetCellData(), names::SegmentId, static_cast<int>(mesh->GetNumberOfCells()), labels);
+  return labels;
+}
+
 /// The known skeleton with the point arrays AGD and MSP that it lacks: the means of the mesh's
 /// arrays of these names over each node's vertices, and for a node without vertices that of the
 /// neighbouring nodes. `mesh` is the creature's mesh after vtkMSPField.

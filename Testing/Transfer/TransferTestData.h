@@ -73,14 +73,6 @@ inline void Connect(
   transfer->SetInputData(3, target.Skeleton);
 }
 
-inline std::vector<int> LabelsOf(vtkPolyData* mesh)
-{
-  std::vector<int> labels;
-  GetArray(
-    mesh->GetCellData(), names::SegmentId, static_cast<int>(mesh->GetNumberOfCells()), labels);
-  return labels;
-}
-
 /// Only the triangles for which `keep` holds.
 inline Data Subset(vtkPolyData* input, const std::function<bool(const TriangleMesh&, int)>& keep)
 {
