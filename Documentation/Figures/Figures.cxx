@@ -155,7 +155,8 @@ Matched MatchCreatures(vtkPolyData* source, vtkPolyData* target)
   matched.Target = Prepare(target);
   const marrow::AnalyzedSide sourceSide = AnalyzeOneBody(matched.Source.Mesh);
   const marrow::AnalyzedSide targetSide = AnalyzeOneBody(matched.Target.Mesh);
-  const marrow::Partner partner = marrow::FindPartner(sourceSide, targetSide.Bodies.front(), {});
+  const marrow::Partner partner =
+    marrow::FindPartner(sourceSide, targetSide.Bodies.front(), {}, {});
   matched.SourceMesh = InOwnFrame(source, sourceSide);
   matched.TargetMesh = InOwnFrame(target, targetSide);
   matched.Match = marrow::JoinChains(

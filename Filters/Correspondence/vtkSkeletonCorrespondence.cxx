@@ -3,6 +3,7 @@
 
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "HintBridge.h"
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
 #include "SkeletonMatching.h"
@@ -15,11 +16,13 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -62,6 +65,24 @@ void Write(vtkPolyData* output, const marrow::SkeletonMatch::Side& side, double 
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceClusters", tree.Clusters);
   AddFieldValue<vtkIdTypeArray>(output, "CorrespondenceLeaves", tree.Leaves);
   AddFieldValue<vtkDoubleArray>(output, names::CorrespondenceConfidence, confidence);
+}
+
+/// The node whose part of the mesh is nearest to a point on the surface, or near the skeleton.
+int NearestNode(const marrow::Skeleton& skeleton, const Eigen::Vector3d& point)
+{
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < skeleton.NumberOfNodes(); ++n)
+  {
+    const marrow::SkeletonNode& node = skeleton.Graph[n];
+    const double distance = (node.Position - point).norm() - node.Radius;
+    if (distance < least)
+    {
+      least = distance;
+      nearest = n;
+    }
+  }
+  return nearest;
 }
 
 void WriteTable(const std::vector<marrow::SkeletonMatch>& leaves, vtkTable* table)
@@ -107,13 +128,17 @@ vtkStandardNewMacro(vtkSkeletonCorrespondence);
 
 vtkSkeletonCorrespondence::vtkSkeletonCorrespondence()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(3);
 }
 
-int vtkSkeletonCorrespondence::FillInputPortInformation(int, vtkInformation* info)
+int vtkSkeletonCorrespondence::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port < 2 ? "vtkPolyData" : "vtkPointSet");
+  if (port >= 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
 }
 
@@ -168,7 +193,21 @@ int vtkSkeletonCorrespondence::RequestData(
     }
   }
 
+  std::vector<marrow::PointHint> hints;
+  const std::string error = marrow::ReadHints(
+    vtkPointSet::GetData(inputVector[2]), vtkPointSet::GetData(inputVector[3]), hints);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+
   marrow::MatchingParameters parameters;
+  for (const marrow::PointHint& hint : hints)
+  {
+    parameters.Hints.push_back({ NearestNode(skeletons[0], hint.Source),
+      NearestNode(skeletons[1], hint.Target), hint.IsForbidden });
+  }
   parameters.Method = this->Matcher == ELECTORS_VOTING ? marrow::Matcher::ElectorsVoting
                                                        : marrow::Matcher::CorrespondenceTree;
   parameters.Voting.CentricityTolerance = this->CentricityTolerance;

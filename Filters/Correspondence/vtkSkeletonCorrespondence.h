@@ -89,6 +89,12 @@
  * the share of terminals that may be expected to be matched with the same part, judged by GlobalCost
  * as fitted to labelled meshes.
  *
+ * Input ports 2 and 3 (optional): hints on the source and on the target, point sets with as many points on
+ * the one as on the other, on the skeletons or the surfaces of the meshes. Points of equal number are of the
+ * same part; or, where the source's point array Forbidden (any type) is not 0, must not be taken for that.
+ * The leaves that keep to them come first; with the correspondence tree and GlobalSelection, such leaves
+ * are also searched for. GlobalCost and the confidence know nothing of hints.
+ *
  * Output port 2: vtkTable, one row per leaf, the best first, of leaves that match the same only the
  * best; row i is what LeafIndex i puts out. Electors voting has one row, the winner. Columns GlobalCost,
  * PaperCost (the paper's equation 7), Confidence, SourceCoverage, TargetCoverage (double; matched
@@ -96,7 +102,8 @@
  * TerminalPairs, BranchPairs, Merges (vtkIdType).
  *
  * Errors: a skeleton that is empty, lacks an array, has values that are not finite or lines that
- * run through junctions; LeafIndex beyond the last leaf.
+ * run through junctions; LeafIndex beyond the last leaf; hints that are more on one side than on the other,
+ * or not finite.
  */
 #ifndef vtkSkeletonCorrespondence_h
 #define vtkSkeletonCorrespondence_h

@@ -242,8 +242,8 @@ std::vector<int> LabelsOfBody(
   return labels;
 }
 
-std::string ReadLabels(
-  vtkPolyData* mesh, vtkDataArray* array, const std::string& name, std::vector<int>& labels)
+std::string ReadLabels(const char* side, vtkPolyData* mesh, vtkDataArray* array,
+  const std::string& name, std::vector<int>& labels)
 {
   if (!array)
   {
@@ -254,13 +254,13 @@ std::string ReadLabels(
       const char* other = cells->GetArrayName(i);
       known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
     }
-    return "Source: the mesh has no cell array \"" + name + "\" of segments; " +
+    return std::string(side) + ": the mesh has no cell array \"" + name + "\" of segments; " +
       (known.empty()
           ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader, or choose "
             "other labels with vtkMarrowSegmentSelector."
           : "it has " + known + ": choose one with SetInputArrayToProcess.");
   }
   const std::string error = ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
-  return error.empty() ? error : "Source: " + error;
+  return error.empty() ? error : std::string(side) + ": " + error;
 }
 }

@@ -3,9 +3,11 @@
 #define marrow_SideTransfer_h
 
 #include "AnalyzedSide.h"
+#include "Hints.h"
 #include "SegmentationTransfer.h"
 
 #include <set>
+#include <string>
 #include <vector>
 
 namespace marrow
@@ -17,9 +19,17 @@ struct Partner
   std::vector<Answer> Answers; ///< the cheapest first
 };
 
-/// The body of the source that matches `target` at the least cost. What `progress` stops is left unfinished.
-Partner FindPartner(
-  const AnalyzedSide& source, const AnalyzedMesh& target, const Progress& progress);
+/// A hint about one body of the target.
+struct BodyHint
+{
+  std::size_t SourceBody = 0;
+  SurfaceHint Hint; ///< in the vertices of the two bodies
+};
+
+/// The body of the source that matches `target` at the least cost; where hints say which bodies correspond,
+/// one of these. What `progress` stops is left unfinished.
+Partner FindPartner(const AnalyzedSide& source, const AnalyzedMesh& target,
+  const std::vector<BodyHint>& hints, const Progress& progress);
 
 /// Labels in the terms of the input.
 struct CellLabels
@@ -31,6 +41,14 @@ struct CellLabels
 /// From the triangles of the working surface to the cells of the input.
 CellLabels ToCells(const PreparedSurface& surface, const std::vector<int>& labelOfTriangle,
   const std::vector<double>& confidenceOfTriangle);
+
+/// What the user says about a transfer, in the terms of the input.
+struct SideGuidance
+{
+  std::vector<PointHint> Hints;
+  int AnswerIndex = 0;         ///< of the answers for each body, the likeliest first
+  std::vector<int> KeptLabels; ///< per cell of the target, NoLabel for none; empty: none is kept
+};
 
 /// What came over to all bodies of the target, in the terms of the input.
 struct SideTransferResult
@@ -44,6 +62,8 @@ struct SideTransferResult
   double Cost = 0.0;
   bool IsMatched = true;         ///< every body has a matched branch
   bool IsWholeAlignment = false; ///< some body is aligned as a whole
+  int NumberOfUnmetHints = 0;
+  std::string Error; ///< one sentence on a guidance that cannot be followed, or empty
 };
 
 /// Each body of the target takes its segments from the body of the source that matches it at the least
@@ -52,7 +72,7 @@ struct SideTransferResult
 SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& target,
   const GivenCorrespondence& givenSource, const GivenCorrespondence& givenTarget,
   const std::vector<std::vector<int>>& labelsOfSourceBodies, const TransferParameters& parameters,
-  const Progress& progress);
+  const SideGuidance& guidance, const Progress& progress);
 }
 
 #endif

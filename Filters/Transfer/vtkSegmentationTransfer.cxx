@@ -4,6 +4,7 @@
 #include "AnalyzedSide.h"
 #include "ArrayNames.h"
 #include "FilterSupport.h"
+#include "HintBridge.h"
 #include "MeshBridge.h"
 #include "ParallelFor.h"
 #include "SegmentLoops.h"
@@ -20,6 +21,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -149,17 +151,19 @@ private:
 vtkSegmentationTransfer::vtkSegmentationTransfer()
   : Analyzed(new Analysis)
 {
-  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfInputPorts(6);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, marrow::names::SegmentId);
+  this->SetInputArrayToProcess(
+    1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, marrow::names::SegmentId);
 }
 
 vtkSegmentationTransfer::~vtkSegmentationTransfer() = default;
 
 int vtkSegmentationTransfer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port < 4 ? "vtkPolyData" : "vtkPointSet");
   if (port >= 2)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -184,10 +188,26 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   };
 
+  const auto readLabels = [&](int side, std::vector<int>& ofSide)
+  {
+    const char* name = this->GetInputArrayInformation(side)->Get(vtkDataObject::FIELD_NAME());
+    return marrow::ReadLabels(side == 0 ? "Source" : "Target", side == 0 ? sourceMesh : targetMesh,
+      this->GetInputArrayToProcess(side, inputVector), name ? name : marrow::names::SegmentId,
+      ofSide);
+  };
   std::vector<int> labels;
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  std::string error = marrow::ReadLabels(sourceMesh, this->GetInputArrayToProcess(0, inputVector),
-    name ? name : marrow::names::SegmentId, labels);
+  marrow::SideGuidance guidance;
+  guidance.AnswerIndex = this->AnswerIndex;
+  std::string error = readLabels(0, labels);
+  if (error.empty() && this->KeepTargetSegments)
+  {
+    error = readLabels(1, guidance.KeptLabels);
+  }
+  if (error.empty())
+  {
+    error = marrow::ReadHints(
+      vtkPointSet::GetData(inputVector[4]), vtkPointSet::GetData(inputVector[5]), guidance.Hints);
+  }
   if (!error.empty())
   {
     return fail(error);
@@ -225,13 +245,18 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   parameters.Lambda = this->Lambda;
   parameters.SearchRegion = this->SearchRegion;
   parameters.StrictBoundaries = this->StrictBoundaries;
-  const marrow::SideTransferResult result = marrow::TransferSide(source, target,
+  marrow::SideTransferResult result = marrow::TransferSide(source, target,
     marrow::ReadCorrespondence(sourceSkeleton), marrow::ReadCorrespondence(targetSkeleton),
-    labelsOfBodies, parameters, marrow::ProgressOf(this, 0.7, 1.0));
+    labelsOfBodies, parameters, guidance, marrow::ProgressOf(this, 0.7, 1.0));
   if (marrow::IsAborted(this))
   {
     return 1;
   }
+  if (!result.Error.empty())
+  {
+    return fail(result.Error);
+  }
+  this->DropWhatIsNotCarried(guidance.KeptLabels, result);
   if (result.IsWholeAlignment)
   {
     vtkWarningMacro(<< (result.IsMatched ? "The matched skeletons bring the surfaces together no "
@@ -239,6 +264,12 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
                                          : "No branch of the skeletons is matched")
                     << ": the meshes are aligned as wholes, and the segments are only as good as "
                        "that.");
+  }
+  if (result.NumberOfUnmetHints > 0)
+  {
+    vtkWarningMacro(<< "No answer keeps to all hints: " << result.NumberOfUnmetHints << " of "
+                    << guidance.Hints.size()
+                    << " are contradicted. Do they contradict each other?");
   }
   if (result.NumberOfMissingPieces > 0)
   {
@@ -274,9 +305,50 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
+void vtkSegmentationTransfer::AddCarriedSegment(int segment)
+{
+  if (this->CarriedSegments.insert(segment).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkSegmentationTransfer::RemoveAllCarriedSegments()
+{
+  if (!this->CarriedSegments.empty())
+  {
+    this->CarriedSegments.clear();
+    this->Modified();
+  }
+}
+
+void vtkSegmentationTransfer::DropWhatIsNotCarried(
+  const std::vector<int>& keptLabels, marrow::SideTransferResult& result) const
+{
+  if (this->CarriedSegments.empty())
+  {
+    return;
+  }
+  const auto isCarried = [this](int segment) { return this->CarriedSegments.count(segment) > 0; };
+  for (std::size_t cell = 0; cell < result.Labels.size(); ++cell)
+  {
+    const bool isKept = !keptLabels.empty() && keptLabels[cell] != marrow::NoLabel;
+    if (!isKept && !isCarried(result.Labels[cell]))
+    {
+      result.Labels[cell] = marrow::NoLabel;
+      result.Confidence[cell] = 0.0;
+    }
+  }
+}
+
 void vtkSegmentationTransfer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "AnswerIndex: " << this->AnswerIndex << "\n";
+  os << indent << "KeepTargetSegments: " << (this->KeepTargetSegments ? "On" : "Off") << "\n";
+  os << indent
+     << "CarriedSegments: " << (this->CarriedSegments.empty() ? "all" : Join(this->CarriedSegments))
+     << "\n";
   os << indent << "StrictBoundaries: " << (this->StrictBoundaries ? "On" : "Off") << "\n";
   os << indent << "Theta: " << this->Theta << "\n";
   os << indent << "Kernel: " << this->Kernel << "\n";

@@ -45,7 +45,11 @@
  * - 1, target mesh: polygons;
  * - 2, source skeleton (optional), 3, target skeleton (optional), of vtkMSPSkeleton or the like. A
  *   mesh whose skeleton is connected must have the point array SkeletonNodeId (vtkIdType) of that
- *   skeleton. Without one, it is computed with the defaults of vtkMSPSkeleton.
+ *   skeleton. Without one, it is computed with the defaults of vtkMSPSkeleton;
+ * - 4, hints on the source (optional), 5, hints on the target (optional): point sets, as many points on the
+ *   one as on the other. Points of equal number are of the same part; or, where the source's point array
+ *   Forbidden (any type) is not 0, must not be taken for that. Each stands for the vertex of the mesh that
+ *   is nearest.
  *
  * Read from the meshes, and computed with the defaults of vtkMSPField where one of them is missing:
  * point arrays MSP (double, mesh units), MSPGradient (double x 3), DihedralAngle (double, radians); for
@@ -60,9 +64,14 @@
  * matched), the mean difference of log MSP between corresponding points (its median aside), and how
  * unevenly the source is hit (the area by which patches of equal size are hit too often).
  *
+ * No method is always right, so the user has the last word. Hints come before all other evidence, in the
+ * search for answers as in the choice between them: one pair of points on the two heads turns an animal
+ * round that was matched back to front. They say which parts correspond, not where boundaries run. Hints
+ * that no answer keeps to are warned of.
+ *
  * Ports out:
  * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays
- *   - SegmentId (int): the segment; replaces an array of that name, and is the only active scalars;
+ *   - SegmentId (int): the segment, -1 for none; replaces an array of that name, and is the only active scalars;
  *   - SegmentConfidence (double in [0,1]): the product of the correspondence's confidence, of how
  *     far the face lies on matched branches (1; 0.75 on parts that are matched on neither side but were
  *     found in the same place; 0.55 on other branches without a partner) and of the share that the
@@ -82,7 +91,9 @@
  * Errors: a source without the segment array (the message names those there are), or with one of
  * another size, more than one component, values that are no integers, or more than 500 connected
  * pieces of segments (noise); a mesh without a face, or with a point in use that is not finite; a skeleton
- * that is not one, or does not belong to its mesh (SkeletonNodeId is missing or out of range). The message
+ * that is not one, or does not belong to its mesh (SkeletonNodeId is missing or out of range); with
+ * KeepTargetSegments a target without that array; hints that are more on one mesh than on the other, or not
+ * finite; an AnswerIndex beyond the last answer. The message
  * names the side and says what to do.
  *
  * The field array WorkingSurfaceNote (a string) of the outputs 0 and 1 says what was mended in the target
@@ -100,6 +111,13 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+#include <set>    // for std::set
+#include <vector> // for std::vector
+
+namespace marrow
+{
+struct SideTransferResult;
+}
 
 class MARROWTRANSFER_EXPORT vtkSegmentationTransfer : public vtkPolyDataAlgorithm
 {
@@ -107,6 +125,35 @@ public:
   static vtkSegmentationTransfer* New();
   vtkTypeMacro(vtkSegmentationTransfer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Which answer to how the skeletons match is taken, of each body: 0 is that which the surfaces support
+   * best, 1 the next best, and so on. Default 0, range from 0; at most ten are found.
+   */
+  vtkSetClampMacro(AnswerIndex, int, 0, VTK_INT_MAX);
+  vtkGetMacro(AnswerIndex, int);
+  ///@}
+
+  ///@{
+  /**
+   * The segments to carry; all others stay away, and their cells get -1, no segment. Default: all are
+   * carried, as long as none is added.
+   */
+  void AddCarriedSegment(int segment);
+  void RemoveAllCarriedSegments();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the segments that the target has already are kept: the cell array "SegmentId", or that set by
+   * SetInputArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name), where it is not -1.
+   * The boundaries of the segments that are carried to the other cells then meet them. Default off.
+   */
+  vtkSetMacro(KeepTargetSegments, bool);
+  vtkGetMacro(KeepTargetSegments, bool);
+  vtkBooleanMacro(KeepTargetSegments, bool);
+  ///@}
 
   ///@{
   /**
@@ -158,11 +205,14 @@ public:
 
   ///@{
   /**
-   * Takes a skeleton that was given (ports 2 and 3) away again, so that it is computed. The same as
+   * Takes a skeleton that was given (ports 2 and 3) away again, so that it is computed, or the hints
+   * (ports 4 and 5). The same as
    * SetInputConnection(port, nullptr), which ParaView cannot call.
    */
   void RemoveSourceSkeleton() { this->SetInputConnection(2, nullptr); }
   void RemoveTargetSkeleton() { this->SetInputConnection(3, nullptr); }
+  void RemoveSourceHints() { this->SetInputConnection(4, nullptr); }
+  void RemoveTargetHints() { this->SetInputConnection(5, nullptr); }
   ///@}
 
 protected:
@@ -177,6 +227,13 @@ private:
   vtkSegmentationTransfer(const vtkSegmentationTransfer&) = delete;
   void operator=(const vtkSegmentationTransfer&) = delete;
 
+  /// Cells of segments that are not to be carried get none, unless they keep their own.
+  void DropWhatIsNotCarried(
+    const std::vector<int>& keptLabels, marrow::SideTransferResult& result) const;
+
+  int AnswerIndex = 0;
+  std::set<int> CarriedSegments; ///< empty: all
+  bool KeepTargetSegments = false;
   bool StrictBoundaries = false;
   double Theta = 1.5;
   double Kernel = 0.05;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 using namespace marrow;
@@ -52,22 +53,56 @@ MatchedSkeletons MatchEnds(const Tube& source, const Tube& target, bool reversed
   return JoinChains(source.Analyzed.Skeleton, target.Analyzed.Skeleton, ids);
 }
 
-std::size_t Choose(const Tube& source, const Tube& target, const std::vector<Answer>& answers)
+std::size_t Choose(const Tube& source, const Tube& target, const std::vector<Answer>& answers,
+  const std::vector<SurfaceHint>& hints = {})
 {
-  return ChooseAnswer(source.Analyzed, target.Analyzed, answers, {});
+  return ChooseAnswer(source.Analyzed, target.Analyzed, answers, hints, {}).front();
 }
+
+int LowestVertex(const Tube& tube)
+{
+  const auto& points = tube.Analyzed.Mesh.Points;
+  return static_cast<int>(std::min_element(points.begin(), points.end(),
+                            [](const auto& a, const auto& b) { return a.z() < b.z(); }) -
+    points.begin());
+}
+}
+
+TEST(AnswerChoice, TheAnswersAreRankedAndNoiseDoesNotDecide)
+{
+  using Order = std::vector<std::size_t>;
+  EXPECT_EQ(RankAnswers({ 0.5, 0.2, 0.9, 0.3 }), (Order{ 1, 3, 0, 2 }));
+  EXPECT_EQ(RankAnswers({ 0.5, 0.499, 0.2, 0.9 }), (Order{ 2, 1, 0, 3 }));
+  EXPECT_EQ(RankAnswers({ 0.5, 0.9, 0.495 }), (Order{ 0, 2, 1 }));
+}
+
+TEST(AnswerChoice, AHintOutweighsTheSurfaces)
+{
+  const Tube source = Horn(1000.0);
+  const Tube target = Horn(1.5);
+  const Answer right{ MatchEnds(source, target, false), 0.3, 1.0, 0.0 };
+  const Answer reversed{ MatchEnds(source, target, true), 0.3, 1.0, 0.0 };
+  const int low = LowestVertex(source);
+  const auto& points = target.Analyzed.Mesh.Points;
+  const int high = static_cast<int>(std::max_element(points.begin(), points.end(),
+                                      [](const auto& a, const auto& b) { return a.z() < b.z(); }) -
+    points.begin());
+  EXPECT_EQ(Choose(source, target, { right, reversed }), 0u);
+  EXPECT_EQ(Choose(source, target, { right, reversed }, { { low, high, false } }), 1u);
+  EXPECT_EQ(
+    Choose(source, target, { right, reversed }, { { low, LowestVertex(target), false } }), 0u);
 }
 
 TEST(AnswerChoice, TheSurfacesTellTheThickEndFromTheThin)
 {
   const Tube source = Horn(1000.0);
   const Tube target = Horn(1.5);
-  const Answer right{ MatchEnds(source, target, false), 0.3, 1.0 };
-  const Answer wrong{ MatchEnds(source, target, true), 0.295, 1.0 };
+  const Answer right{ MatchEnds(source, target, false), 0.3, 1.0, 0.0 };
+  const Answer wrong{ MatchEnds(source, target, true), 0.295, 1.0, 0.0 };
   EXPECT_EQ(Choose(source, target, { wrong, right }), 1u);
   EXPECT_EQ(Choose(source, target, { right, wrong }), 0u);
   // What the skeletons say still counts.
-  const Answer cheap{ right.Match, 0.1, 1.0 };
+  const Answer cheap{ right.Match, 0.1, 1.0, 0.0 };
   EXPECT_EQ(Choose(source, target, { right, cheap }), 1u);
   // Of equals the first.
   EXPECT_EQ(Choose(source, target, { right, right }), 0u);

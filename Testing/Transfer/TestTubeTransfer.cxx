@@ -27,7 +27,7 @@ std::vector<int> CutTube(const Tube& tube, const std::function<double(double)>& 
 TransferResult Transfer(const Tube& source, const Tube& target, const std::vector<int>& labels)
 {
   return TransferSegmentation(source.Analyzed, target.Analyzed,
-    { { MatchTubes(source, target), 0.0, 1.0 } }, labels, TransferParameters(), {});
+    { { MatchTubes(source, target), 0.0, 1.0, 0.0 } }, labels, TransferParameters(), {}, {});
 }
 
 /// The share of triangles whose label is what `height` says.
@@ -208,7 +208,7 @@ TEST(TubeTransfer, PatchOnTheSideIsCarriedByTheMap)
   TransferParameters strict;
   strict.StrictBoundaries = true;
   const TransferResult dropped = TransferSegmentation(source.Analyzed, target.Analyzed,
-    { { MatchTubes(source, target), 0.0, 1.0 } }, patch(source), strict, {});
+    { { MatchTubes(source, target), 0.0, 1.0, 0.0 } }, patch(source), strict, {}, {});
   EXPECT_EQ(std::count(dropped.Labels.begin(), dropped.Labels.end(), 7), 0);
   EXPECT_EQ(dropped.MissingLabels, std::vector<int>{ 7 });
 }
@@ -218,8 +218,8 @@ TEST(TubeTransfer, AbortStops)
   const Tube tube = MakeTube({});
   int calls = 0;
   const TransferResult result = TransferSegmentation(tube.Analyzed, tube.Analyzed,
-    { { MatchTubes(tube, tube), 0.0, 1.0 } }, CutTube(tube, [](double) { return 0.5; }),
-    TransferParameters(), [&](double) { return ++calls < 3; });
+    { { MatchTubes(tube, tube), 0.0, 1.0, 0.0 } }, CutTube(tube, [](double) { return 0.5; }),
+    TransferParameters(), {}, [&](double) { return ++calls < 3; });
   EXPECT_TRUE(result.IsAborted);
   EXPECT_EQ(calls, 3);
 }

@@ -59,8 +59,8 @@ bool ShapePair::MatchAgain(const Progress& progress)
   const std::lock_guard<std::mutex> lock(this->Guard);
   if (this->Answers.empty())
   {
-    this->Answers =
-      marrow::FindAnswers(this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, progress);
+    this->Answers = marrow::FindAnswers(
+      this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, {}, progress);
   }
   return !this->Answers.empty();
 }
@@ -108,7 +108,7 @@ std::size_t ShapePair::LikeliestAnswer() const
   {
     against.push_back(tried.Against);
   }
-  return marrow::LikeliestAnswer(against);
+  return RankAnswers(against).front();
 }
 
 bool ShapePair::IsCarried(int side, std::size_t answer) const

@@ -35,6 +35,9 @@ inline constexpr const char* MeshMaximumMSP = "MeshMaximumMSP";
 // On two skeletons that were matched (field data)
 inline constexpr const char* CorrespondenceConfidence = "CorrespondenceConfidence";
 
+// On the points of hints
+inline constexpr const char* Forbidden = "Forbidden";
+
 // On mesh cells
 inline constexpr const char* SegmentId = "SegmentId";
 inline constexpr const char* SegmentConfidence = "SegmentConfidence";

@@ -79,6 +79,11 @@ public:
   /// The shortest ways from a feature to all others (Dijkstra), if told so only over the forest.
   ShortestPaths ShortestPathsFrom(int feature, bool inForest) const;
 
+  /// The nodes of a branch, from the origin of its even dart on.
+  const std::vector<int>& NodesOf(int branch) const { return this->Branches[branch].Path.Nodes; }
+  /// The shortest ways over the forest from any node of the skeleton to all features.
+  std::vector<double> DistancesFromNode(int node) const;
+
   /// The darts that leave a group, ascending; both darts of a loop.
   std::vector<int> OpenDarts(const FeatureGroup& group) const;
   /// |g| of the sub-skeleton behind each of the group's open darts (method 3.2).

@@ -69,6 +69,31 @@ FeatureGraph::ShortestPaths FeatureGraph::ShortestPathsFrom(int feature, bool in
   return paths;
 }
 
+std::vector<double> FeatureGraph::DistancesFromNode(int node) const
+{
+  std::vector<double> distances(this->NumberOfFeatures(), std::numeric_limits<double>::infinity());
+  for (int branch = 0; branch < this->NumberOfBranches(); ++branch)
+  {
+    const Branch& path = this->Branches[branch].Path;
+    const auto found = std::find(path.Nodes.begin(), path.Nodes.end(), node);
+    if (found == path.Nodes.end())
+    {
+      continue;
+    }
+    const double arc = path.ArcLength[found - path.Nodes.begin()];
+    for (const auto& [dart, toEnd] :
+      { std::pair{ 2 * branch, arc }, std::pair{ 2 * branch + 1, path.Length() - arc } })
+    {
+      const ShortestPaths paths = this->ShortestPathsFrom(this->Origin(dart), true);
+      for (int f = 0; f < this->NumberOfFeatures(); ++f)
+      {
+        distances[f] = std::min(distances[f], toEnd / this->Total + paths.Length[f]);
+      }
+    }
+  }
+  return distances;
+}
+
 Eigen::Vector3d FeatureGraph::Direction(const FeatureGroup& group, int dart) const
 {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();

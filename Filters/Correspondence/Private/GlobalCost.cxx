@@ -55,9 +55,11 @@ double Volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
 }
 }
 
-GlobalCost::GlobalCost(const TerminalPaths& source, const TerminalPaths& target)
+GlobalCost::GlobalCost(
+  const TerminalPaths& source, const TerminalPaths& target, const std::vector<NodeHint>& hints)
   : Source(source)
   , Target(target)
+  , Hints(source, target, hints)
 {
   const int sources = source.Size();
   const int targets = target.Size();
@@ -133,7 +135,8 @@ double GlobalCost::Intrinsic(const Assignment& targetOf) const
     cost += weight * pair / (1.0 + pair / Saturation);
   }
   cost += UnmatchedCost * 0.5 * (2.0 - matchedSource - matchedTarget);
-  return cost + SplitWeight * this->SplitCost(targetOf) + PoseWeight * this->PoseCost(targetOf);
+  return cost + SplitWeight * this->SplitCost(targetOf) + PoseWeight * this->PoseCost(targetOf) +
+    this->OfHints(targetOf);
 }
 
 double GlobalCost::PoseCost(const Assignment& targetOf) const
@@ -327,7 +330,8 @@ GlobalCost::Assignment GlobalCost::Guess() const
       {
         sum += columns[k] >= 0 ? paths(k, columns[k]) : 0.0;
       }
-      cost(i, j) = this->TerminalTable[i * targets + j] + sum / std::min(sources, targets);
+      cost(i, j) = this->TerminalTable[i * targets + j] + sum / std::min(sources, targets) +
+        this->Hints.OfPair(i, j);
     }
   }
   return AssignRows(cost);

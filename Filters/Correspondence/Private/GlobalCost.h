@@ -2,6 +2,7 @@
 #ifndef marrow_GlobalCost_h
 #define marrow_GlobalCost_h
 
+#include "HintCost.h"
 #include "TerminalPaths.h"
 
 #include <vector>
@@ -18,6 +19,7 @@ namespace marrow
 ///   + how far the terminals' branches are from lying alike in space after the best rotation
 ///   + a penalty for handedness: (1 − correlation of the signed volumes of quadruples of matched
 ///     points) / 2. It is small, and tells left from right where all else is equal.
+///   + what the user's hints are not kept to (HintCost)
 ///
 /// Two terminals are unlike by AGD, by how MSP grows inwards from the tip, and by the paths to all
 /// other matched terminals: their length, the profile of MSP along them, how straight their middle
@@ -31,15 +33,18 @@ public:
   /// Per source terminal the target terminal, -1 for none.
   using Assignment = std::vector<int>;
 
-  GlobalCost(const TerminalPaths& source, const TerminalPaths& target);
+  GlobalCost(const TerminalPaths& source, const TerminalPaths& target,
+    const std::vector<NodeHint>& hints = {});
 
-  /// Everything but handedness. In [0, about 1].
+  /// Everything but handedness. In [0, about 1], but for the hints.
   double Intrinsic(const Assignment& targetOf) const;
   double Handedness(const Assignment& targetOf) const;
   double Total(const Assignment& targetOf) const
   {
     return this->Intrinsic(targetOf) + this->Handedness(targetOf);
   }
+  /// What is in it for the hints.
+  double OfHints(const Assignment& targetOf) const { return this->Hints.Total(targetOf); }
   /// A first guess: terminals whose paths to all the others are alike.
   Assignment Guess() const;
 
@@ -55,6 +60,7 @@ private:
 
   const TerminalPaths& Source;
   const TerminalPaths& Target;
+  HintCost Hints;
   std::vector<double> PathTable;
   std::vector<double> TerminalTable; ///< |ΔAGD|
 };

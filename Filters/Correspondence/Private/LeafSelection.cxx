@@ -149,7 +149,8 @@ void RemoveRepetitions(std::vector<RatedLeaf>& leaves)
 void SortBy(std::vector<RatedLeaf>& leaves, double RatedLeaf::*cost)
 {
   std::stable_sort(leaves.begin(), leaves.end(),
-    [cost](const RatedLeaf& a, const RatedLeaf& b) { return a.*cost < b.*cost; });
+    [cost](const RatedLeaf& a, const RatedLeaf& b)
+    { return a.CostOfHints + a.*cost < b.CostOfHints + b.*cost; });
 }
 
 double MeanCoverage(const RatedLeaf& leaf)
@@ -222,16 +223,19 @@ void MatchWhatCarriesTwins(const TerminalPaths& paths, std::vector<int> MatchedB
 }
 
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
-  const std::vector<FeatureCorrespondence>& leaves, bool global)
+  const std::vector<FeatureCorrespondence>& leaves, bool global, const std::vector<NodeHint>& hints)
 {
   const TerminalPaths sourcePaths(source);
   const TerminalPaths targetPaths(target);
-  const GlobalCost cost(sourcePaths, targetPaths);
+  const GlobalCost cost(sourcePaths, targetPaths, hints);
   const auto rateGlobally = [&](std::vector<RatedLeaf>& some)
   {
     for (RatedLeaf& leaf : some)
     {
-      leaf.GlobalCost = cost.Total(TerminalAssignment(sourcePaths, targetPaths, leaf.Match)) +
+      const GlobalCost::Assignment terminals =
+        TerminalAssignment(sourcePaths, targetPaths, leaf.Match);
+      leaf.CostOfHints = cost.OfHints(terminals);
+      leaf.GlobalCost = cost.Total(terminals) - leaf.CostOfHints +
         CoverageWeight * (1.0 - MeanCoverage(leaf)) +
         SurfaceWeight * SurfaceUnlike(source, target, leaf.Match);
     }

@@ -3,6 +3,7 @@
 #define marrow_LeafSelection_h
 
 #include "FeatureCorrespondence.h"
+#include "HintCost.h"
 
 #include <vector>
 
@@ -16,16 +17,18 @@ struct RatedLeaf
   double PaperCost = 0.0; ///< C_leaf (correspondence paper, equation 7)
   /// GlobalCost of the terminals, what the branches leave uncovered, how the surface is shared out
   double GlobalCost = 0.0;
+  double CostOfHints = 0.0;    ///< what the hints are not kept to; before all else
   double SourceCoverage = 0.0; ///< length of the matched branches, of the whole skeleton's
   double TargetCoverage = 0.0;
 };
 
 /// The leaves with their costs, the best first; equal ones stay in the order of the tree. The cost is the
-/// paper's, or if `global` the global one; where both skeletons have one component, the best leaves are
+/// paper's, or if `global` the global one, in either case with that of the hints; where both skeletons have one component, the best leaves are
 /// then refined by Descend and MatchBySplits, and the results are leaves of their own. Of leaves that match
 /// the same only the best is kept.
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
-  const std::vector<FeatureCorrespondence>& leaves, bool global);
+  const std::vector<FeatureCorrespondence>& leaves, bool global,
+  const std::vector<NodeHint>& hints = {});
 
 /// The share of terminals that may be expected to be matched with the same part, in [0,1]: a logistic
 /// function of GlobalCost, fitted to labelled meshes. The distance to the second best leaf tells

@@ -62,7 +62,8 @@ bool GrowLeaves(const FeatureGraph& source, const FeatureGraph& target,
   {
     return false;
   }
-  leaves = RateLeaves(source, target, tree.GetLeaves(), parameters.GlobalSelection);
+  leaves =
+    RateLeaves(source, target, tree.GetLeaves(), parameters.GlobalSelection, parameters.Hints);
   statistics = tree.GetStatistics();
   return true;
 }
@@ -127,6 +128,7 @@ bool MatchOpened(const OpenedSkeleton& source, const OpenedSkeleton& target,
     match.Merges = leaf.Match.Merges;
     match.PaperCost = leaf.PaperCost;
     match.GlobalCost = leaf.GlobalCost;
+    match.CostOfHints = leaf.CostOfHints;
     match.Refined = leaf.Refined;
     match.Confidence = Confidence(leaf);
     match.SourceCoverage = leaf.SourceCoverage;
@@ -146,7 +148,7 @@ bool OpenLoops(int surplus, OpenedSkeleton source, OpenedSkeleton target,
   {
     const OpenedSkeleton before = looped;
     std::optional<OpenedSkeleton> best;
-    double bound = WorthOpening * result.Leaves.front().GlobalCost;
+    double bound = WorthOpening * result.Leaves.front().RankedCost();
     const std::vector<OpenedSkeleton::BranchEnd> ends = before.OpenableEnds();
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
@@ -159,9 +161,9 @@ bool OpenLoops(int surplus, OpenedSkeleton source, OpenedSkeleton target,
       {
         return false;
       }
-      if (candidate.Leaves.front().GlobalCost < bound)
+      if (candidate.Leaves.front().RankedCost() < bound)
       {
-        bound = candidate.Leaves.front().GlobalCost;
+        bound = candidate.Leaves.front().RankedCost();
         best = looped;
         result = std::move(candidate);
       }

@@ -23,6 +23,7 @@ struct MatchingParameters
   TreeParameters Tree;
   int DescriptorPieces = 8;
   bool GlobalSelection = true;
+  std::vector<NodeHint> Hints; ///< nodes of the skeletons as given
 };
 
 /// A leaf in the numbers of the skeletons. The vectors of one side: per node and per branch.
@@ -44,9 +45,13 @@ struct SkeletonMatch
   bool Refined = false; ///< not a leaf of the tree but found by going on from one
   double PaperCost = 0.0;
   double GlobalCost = 0.0;
+  double CostOfHints = 0.0; ///< what the hints are not kept to
   double Confidence = 0.0;
   double SourceCoverage = 0.0;
   double TargetCoverage = 0.0;
+
+  /// What the leaves are sorted by with global selection.
+  double RankedCost() const { return this->GlobalCost + this->CostOfHints; }
 };
 
 struct SkeletonMatching

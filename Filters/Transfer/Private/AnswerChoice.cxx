@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace marrow
@@ -80,10 +81,26 @@ Evidence Judge(
   }
   return evidence;
 }
+
+std::vector<SurfaceHint> ToCoarse(
+  const CoarseMesh& source, const CoarseMesh& target, std::vector<SurfaceHint> hints)
+{
+  for (SurfaceHint& hint : hints)
+  {
+    hint.SourceVertex = source.CellOfVertex[hint.SourceVertex];
+    hint.TargetVertex = target.CellOfVertex[hint.TargetVertex];
+  }
+  // A vertex that no triangle uses says nothing.
+  hints.erase(
+    std::remove_if(hints.begin(), hints.end(),
+      [](const SurfaceHint& hint) { return hint.SourceVertex < 0 || hint.TargetVertex < 0; }),
+    hints.end());
+  return hints;
+}
 }
 
 AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
-  const Answer& answer)
+  const Answer& answer, const std::vector<SurfaceHint>& hints)
 {
   SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
   AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
@@ -91,51 +108,59 @@ AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const 
     mapper.Map(PlacesByMap(source.Side, target.Side, skeletonMap), !answer.Match.IsEmpty(), {});
   AnswerTrial trial;
   trial.Against = Judge(source, target, answer, map);
+  trial.Against.Hints = answer.CostOfHints + CostOfHints(source.Side, hints, map.FoundTriangles);
   trial.FoundTriangles = std::move(map.FoundTriangles);
   trial.IsWholeAlignment = map.IsWholeAlignment;
   return trial;
 }
 
-std::size_t LikeliestAnswer(const std::vector<double>& against)
+std::vector<std::size_t> RankAnswers(const std::vector<double>& against)
 {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < against.size(); ++i)
+  std::vector<std::size_t> order(against.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return against[a] < against[b]; });
+  if (against[order.front()] >= against[0] - Margin)
   {
-    if (against[i] < against[best] - (best == 0 ? Margin : 0.0))
-    {
-      best = i;
-    }
+    const auto first = std::find(order.begin(), order.end(), 0);
+    std::rotate(order.begin(), first, first + 1);
   }
-  return best;
+  return order;
 }
 
-std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const std::vector<Answer>& answers, const Progress& progress)
+std::vector<std::size_t> ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const std::vector<Answer>& answers, const std::vector<SurfaceHint>& hints,
+  const Progress& progress)
 {
+  std::vector<std::size_t> asTheyAre(answers.size());
+  std::iota(asTheyAre.begin(), asTheyAre.end(), 0);
   if (answers.size() < 2)
   {
-    return 0;
+    return asTheyAre;
   }
   const CoarseMesh coarseSource = Coarsen(source);
   const CoarseMesh coarseTarget = Coarsen(target);
   if (coarseSource.Side.Mesh.Triangles.empty() || coarseTarget.Side.Mesh.Triangles.empty())
   {
-    return 0;
+    return asTheyAre;
   }
+  const std::vector<SurfaceHint> coarseHints = ToCoarse(coarseSource, coarseTarget, hints);
+  const std::vector<SurfaceHint> turnedHints = Turned(coarseHints);
   const DenseMapper there(coarseSource.Side, coarseTarget.Side, {},
-    AlignWhole(coarseSource.Side.Mesh, coarseTarget.Side.Mesh));
+    AlignWhole(coarseSource.Side.Mesh, coarseTarget.Side.Mesh, coarseHints));
   const DenseMapper back(coarseTarget.Side, coarseSource.Side, {},
-    AlignWhole(coarseTarget.Side.Mesh, coarseSource.Side.Mesh));
+    AlignWhole(coarseTarget.Side.Mesh, coarseSource.Side.Mesh, turnedHints));
   std::vector<double> against;
   for (const Answer& answer : answers)
   {
     if (!Report(progress, static_cast<double>(against.size()) / answers.size()))
     {
-      return 0;
+      return asTheyAre;
     }
-    against.push_back(0.5 * TryAnswer(coarseSource, coarseTarget, there, answer).Against.Sum() +
-      0.5 * TryAnswer(coarseTarget, coarseSource, back, Turned(answer)).Against.Sum());
+    against.push_back(
+      0.5 * TryAnswer(coarseSource, coarseTarget, there, answer, coarseHints).Against.Sum() +
+      0.5 * TryAnswer(coarseTarget, coarseSource, back, Turned(answer), turnedHints).Against.Sum());
   }
-  return LikeliestAnswer(against);
+  return RankAnswers(against);
 }
 }

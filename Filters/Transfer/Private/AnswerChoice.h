@@ -5,6 +5,7 @@
 #include "AnalyzedMesh.h"
 #include "CoarseMesh.h"
 #include "DenseMap.h"
+#include "Guidance.h"
 #include "MatchedSkeletons.h"
 #include "Progress.h"
 
@@ -16,8 +17,9 @@ namespace marrow
 struct Answer
 {
   MatchedSkeletons Match;
-  double Cost = 1.0;       ///< by the skeletons alone, some 0 to 1
-  double Confidence = 1.0; ///< [0,1]
+  double Cost = 1.0;        ///< by the skeletons alone, some 0 to 1
+  double Confidence = 1.0;  ///< [0,1]
+  double CostOfHints = 0.0; ///< what it does not keep to of the user's hints, by the skeletons
 
   /// 1 where nothing is matched, which costs the skeletons nothing.
   double CostOfMatch() const { return this->Match.IsEmpty() ? 1.0 : this->Cost; }
@@ -34,7 +36,12 @@ struct Evidence
   double Cover = 0.0;     ///< how unevenly the other surface is hit, [0,1]
   double Turned = 0.0;    ///< mean of 1 - cosine of the normals, [0,2]
 
-  double Sum() const { return this->Cost + this->Thickness + this->Cover + this->Turned; }
+  double Hints = 0.0; ///< what the user's hints are not kept to; before all else
+
+  double Sum() const
+  {
+    return this->Cost + this->Thickness + this->Cover + this->Turned + this->Hints;
+  }
 };
 
 /// An answer carried out coarsely.
@@ -45,21 +52,23 @@ struct AnswerTrial
   bool IsWholeAlignment = false;   ///< the skeletons were of no use
 };
 
-/// `mapper` is that of the two coarse meshes.
+/// `mapper` is that of the two coarse meshes, and the hints speak of their vertices.
 AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
-  const Answer& answer);
+  const Answer& answer, const std::vector<SurfaceHint>& hints = {});
 
-/// By the mean of Evidence's sum there and back, per answer: the index of the least; of equals the
-/// first, and the very first if no other is better by more than noise.
-std::size_t LikeliestAnswer(const std::vector<double>& against);
+/// By the mean of Evidence's sum there and back, per answer (at least one): the indices, the likeliest
+/// first. That is the one of the least sum; of equals the first, and the very first if no other is better
+/// by more than noise.
+std::vector<std::size_t> RankAnswers(const std::vector<double>& against);
 
 /// Carries every answer out coarsely, by dense maps between some 1000 points from target to source
-/// and back, and takes that against which least is to be said: head and tail, or two fingers, may be
+/// and back, and ranks them by what is to be said against them: head and tail, or two fingers, may be
 /// similar in length but not in thickness, and a wrong answer maps much of a surface to one place and
-/// leaves others empty. The four pieces of evidence are of one order, and count alike. Returns the
-/// index; 0 if `progress` asked to stop.
-std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const std::vector<Answer>& answers, const Progress& progress);
+/// leaves others empty. The four pieces of evidence are of one order, and count alike; hints come before
+/// all of them. Returns the indices, the likeliest first; as they are if `progress` asked to stop.
+std::vector<std::size_t> ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const std::vector<Answer>& answers, const std::vector<SurfaceHint>& hints,
+  const Progress& progress);
 }
 
 #endif

@@ -15,12 +15,14 @@ CorrespondenceIds::ChainOrder OrderOf(const SkeletonMatch::Side& side)
 }
 }
 
-std::vector<Answer> FindAnswers(
-  const Skeleton& source, const Skeleton& target, const Progress& progress)
+std::vector<Answer> FindAnswers(const Skeleton& source, const Skeleton& target,
+  const std::vector<NodeHint>& hints, const Progress& progress)
 {
+  MatchingParameters parameters;
+  parameters.Hints = hints;
   std::vector<Answer> answers;
   SkeletonMatching matching;
-  if (!MatchSkeletons(source, target, {}, matching, progress))
+  if (!MatchSkeletons(source, target, parameters, matching, progress))
   {
     return answers;
   }
@@ -32,7 +34,8 @@ std::vector<Answer> FindAnswers(
     }
     const CorrespondenceIds ids{ leaf.Source.NodeId, leaf.Target.NodeId, leaf.Source.BranchId,
       leaf.Target.BranchId, OrderOf(leaf.Source), OrderOf(leaf.Target) };
-    answers.push_back({ JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence });
+    answers.push_back(
+      { JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence, leaf.CostOfHints });
   }
   return answers;
 }

@@ -3,6 +3,7 @@
 #define marrow_AnswerSearch_h
 
 #include "AnswerChoice.h"
+#include "Hints.h"
 #include "Progress.h"
 #include "Skeleton.h"
 
@@ -11,9 +12,9 @@
 namespace marrow
 {
 /// The answers to how two skeletons match, the cheapest first, at most MostAnswers; at least one, which
-/// may match nothing. None if `progress` asked to stop.
-std::vector<Answer> FindAnswers(
-  const Skeleton& source, const Skeleton& target, const Progress& progress);
+/// may match nothing. Those that keep to the hints come first. None if `progress` asked to stop.
+std::vector<Answer> FindAnswers(const Skeleton& source, const Skeleton& target,
+  const std::vector<NodeHint>& hints, const Progress& progress);
 
 /// The same answer with the target for the source.
 Answer Turned(const Answer& answer);

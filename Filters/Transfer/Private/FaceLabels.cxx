@@ -72,7 +72,8 @@ std::vector<int> LabelFaces(const TriangleMesh& mesh, const Eigen::MatrixXd& sha
         consider(segment);
       }
     }
-    if (costs.empty())
+    const bool isAnyAllowed = largest >= 0.0;
+    if (!isAnyAllowed)
     {
       for (int segment = 0; segment < numberOfSegments; ++segment)
       {

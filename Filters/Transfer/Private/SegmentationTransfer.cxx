@@ -150,11 +150,39 @@ std::vector<CarriedLoop> CarryLoops(const AnalyzedMesh& source, const AnalyzedMe
   }
   return carried;
 }
+
+/// Where a label is to be kept, no piece of another label may be; what the source has not got leaves the
+/// choice open, as if nothing were known there.
+void ExcludeAllButKept(const SegmentPieces& pieces, const std::vector<int>& keptLabels,
+  std::vector<std::vector<int>>& excluded)
+{
+  if (keptLabels.empty())
+  {
+    return;
+  }
+  excluded.resize(keptLabels.size());
+  for (std::size_t t = 0; t < keptLabels.size(); ++t)
+  {
+    const auto isKept = [&](int label) { return label == keptLabels[t]; };
+    if (std::none_of(pieces.LabelOfPiece.begin(), pieces.LabelOfPiece.end(), isKept))
+    {
+      continue;
+    }
+    excluded[t].clear();
+    for (int piece = 0; piece < pieces.NumberOfPieces(); ++piece)
+    {
+      if (!isKept(pieces.LabelOfPiece[piece]))
+      {
+        excluded[t].push_back(piece);
+      }
+    }
+  }
+}
 }
 
 TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<Answer>& answers, const std::vector<int>& labels,
-  const TransferParameters& parameters, const Progress& progress)
+  const TransferParameters& parameters, const Guidance& guidance, const Progress& progress)
 {
   TransferResult result;
   // Once told to stop, nobody is asked again.
@@ -163,7 +191,8 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
   };
-  result.Answer = ChooseAnswer(source, target, answers, SubProgress(watched, 0.0, 0.3));
+  result.Answer = ChooseAnswer(
+    source, target, answers, guidance.Hints, SubProgress(watched, 0.0, 0.3))[guidance.AnswerIndex];
   if (result.IsAborted)
   {
     return result;
@@ -209,17 +238,20 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     isFindable.push_back(isTransferred[piece]);
   }
-  const DenseMapper mapper(source, target, isFindable, AlignWhole(source.Mesh, target.Mesh));
+  const DenseMapper mapper(
+    source, target, isFindable, AlignWhole(source.Mesh, target.Mesh, guidance.Hints));
   const DenseMap map = mapper.Map(places, anyMatched, SubProgress(watched, 0.5, 0.8));
   if (!watched(0.8))
   {
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
+  result.NumberOfUnmetHints = NumberOfUnmetHints(source, guidance.Hints, map.FoundTriangles);
   const double width = WidthFor(map);
   const MeshSmoother blend(target.Mesh, width * target.Diagonal());
   const Eigen::MatrixXd shares =
     blend.Smooth(mapper.Shares(map, pieces.PieceOfTriangle, pieces.NumberOfPieces()));
+  ExcludeAllButKept(pieces, guidance.KeptLabels, excluded);
   std::vector<int> pieceOfTriangle = LabelFaces(target.Mesh, shares,
     EdgePrices(target.Mesh, EdgeConcavity(target.Mesh, blend),
       PreferenceOf(source.Mesh, pieces.PieceOfTriangle, width)),
@@ -231,9 +263,11 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   KeepLargestComponents(target.Mesh, pieceOfTriangle);
 
   result.Labels.reserve(pieceOfTriangle.size());
-  for (int piece : pieceOfTriangle)
+  for (std::size_t t = 0; t < pieceOfTriangle.size(); ++t)
   {
-    result.Labels.push_back(pieces.LabelOfPiece[piece]);
+    const bool isKept = !guidance.KeptLabels.empty() && guidance.KeptLabels[t] != NoLabel;
+    result.Labels.push_back(
+      isKept ? guidance.KeptLabels[t] : pieces.LabelOfPiece[pieceOfTriangle[t]]);
   }
   SetConfidence(target, map, shares, pieces, answers[result.Answer], result);
   SetMissing(numberOfPieces, labels, pieceOfTriangle, result);

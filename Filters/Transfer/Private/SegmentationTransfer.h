@@ -4,6 +4,7 @@
 
 #include "AnalyzedMesh.h"
 #include "AnswerChoice.h"
+#include "Guidance.h"
 #include "Progress.h"
 
 #include <Eigen/Core>
@@ -42,6 +43,7 @@ struct TransferResult
   int NumberOfMissingPieces = 0;  ///< pieces of the source without a place on the target
   bool IsWholeAlignment = false; ///< the skeletons were of no use, the meshes are aligned as wholes
   std::size_t Answer = 0;        ///< which answer was taken
+  int NumberOfUnmetHints = 0;    ///< that the answer does not keep to
   bool IsAborted = false;
 };
 
@@ -49,10 +51,11 @@ struct TransferResult
 inline constexpr int MostPieces = 500;
 
 /// Carries the labels of the source's triangles to the target's, by the one of `answers` (at least
-/// one, the cheapest first) that the surfaces support best.
+/// one, the cheapest first) that the surfaces support best, or the one that `guidance` wants of the order
+/// of their likelihood; its AnswerIndex must be one of theirs.
 TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<Answer>& answers, const std::vector<int>& labels,
-  const TransferParameters& parameters, const Progress& progress);
+  const TransferParameters& parameters, const Guidance& guidance, const Progress& progress);
 }
 
 #endif

@@ -110,7 +110,8 @@ std::vector<Eigen::Matrix3d> FrameRotations()
 }
 }
 
-Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const TriangleMesh& target)
+Eigen::Matrix<double, 3, 4> AlignWhole(
+  const TriangleMesh& source, const TriangleMesh& target, const std::vector<SurfaceHint>& hints)
 {
   const Axes to = PrincipalAxes(source);
   const Axes from = PrincipalAxes(target);
@@ -119,12 +120,24 @@ Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const Triangl
   const std::vector<Eigen::Vector3d> sources = SomePoints(source, 1000);
   std::vector<std::pair<double, Eigen::Matrix<double, 3, 4>>> starts;
   std::vector<int> nearest;
+  const auto misfit = [&](const Eigen::Matrix<double, 3, 4>& transform)
+  {
+    double ofHints = 0.0;
+    for (const SurfaceHint& hint : hints)
+    {
+      const Eigen::Vector3d moved =
+        transform.leftCols<3>() * target.Points[hint.TargetVertex] + transform.col(3);
+      ofHints += hint.IsForbidden ? 0.0 : (moved - source.Points[hint.SourceVertex]).squaredNorm();
+    }
+    return FindNearest(targets, transform, sources, nearest) +
+      static_cast<double>(targets.size()) * ofHints;
+  };
   for (const Eigen::Matrix3d& rotation : FrameRotations())
   {
     Eigen::Matrix<double, 3, 4> transform;
     transform.leftCols<3>() = scale * to.Directions * rotation * from.Directions.transpose();
     transform.col(3) = to.Center - transform.leftCols<3>() * from.Center;
-    starts.emplace_back(FindNearest(targets, transform, sources, nearest), transform);
+    starts.emplace_back(misfit(transform), transform);
   }
   std::stable_sort(
     starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -139,7 +152,7 @@ Eigen::Matrix<double, 3, 4> AlignWhole(const TriangleMesh& source, const Triangl
     Eigen::Matrix<double, 3, 4> transform = starts[s].second;
     for (int round = 0; round <= numberOfRounds; ++round)
     {
-      const double sum = FindNearest(targets, transform, sources, nearest);
+      const double sum = misfit(transform);
       if (sum < least)
       {
         least = sum;
