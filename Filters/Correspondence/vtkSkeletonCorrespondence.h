@@ -218,6 +218,15 @@ public:
   vtkGetMacro(SpatialTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Takes hints (ports 2 and 3) away again. The same as SetInputConnection(port, nullptr), which ParaView
+   * cannot call.
+   */
+  void RemoveSourceHints() { this->SetInputConnection(2, nullptr); }
+  void RemoveTargetHints() { this->SetInputConnection(3, nullptr); }
+  ///@}
+
 protected:
   vtkSkeletonCorrespondence();
   ~vtkSkeletonCorrespondence() override = default;

@@ -258,7 +258,8 @@ std::string ReadLabels(const char* side, vtkPolyData* mesh, vtkDataArray* array,
       (known.empty()
           ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader, or choose "
             "other labels with vtkMarrowSegmentSelector."
-          : "it has " + known + ": choose one with SetInputArrayToProcess.");
+          : "it has " + known +
+            ": choose one with SetInputArrayToProcess or vtkMarrowSegmentSelector.");
   }
   const std::string error = ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
   return error.empty() ? error : std::string(side) + ": " + error;

@@ -155,8 +155,6 @@ vtkSegmentationTransfer::vtkSegmentationTransfer()
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, marrow::names::SegmentId);
-  this->SetInputArrayToProcess(
-    1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, marrow::names::SegmentId);
 }
 
 vtkSegmentationTransfer::~vtkSegmentationTransfer() = default;
@@ -188,20 +186,17 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   };
 
-  const auto readLabels = [&](int side, std::vector<int>& ofSide)
-  {
-    const char* name = this->GetInputArrayInformation(side)->Get(vtkDataObject::FIELD_NAME());
-    return marrow::ReadLabels(side == 0 ? "Source" : "Target", side == 0 ? sourceMesh : targetMesh,
-      this->GetInputArrayToProcess(side, inputVector), name ? name : marrow::names::SegmentId,
-      ofSide);
-  };
   std::vector<int> labels;
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   marrow::SideGuidance guidance;
   guidance.AnswerIndex = this->AnswerIndex;
-  std::string error = readLabels(0, labels);
+  std::string error = marrow::ReadLabels("Source", sourceMesh,
+    this->GetInputArrayToProcess(0, inputVector), name ? name : marrow::names::SegmentId, labels);
   if (error.empty() && this->KeepTargetSegments)
   {
-    error = readLabels(1, guidance.KeptLabels);
+    error = marrow::ReadLabels("Target", targetMesh,
+      targetMesh->GetCellData()->GetArray(marrow::names::SegmentId), marrow::names::SegmentId,
+      guidance.KeptLabels);
   }
   if (error.empty())
   {

@@ -146,9 +146,9 @@ public:
 
   ///@{
   /**
-   * Whether the segments that the target has already are kept: the cell array "SegmentId", or that set by
-   * SetInputArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name), where it is not -1.
-   * The boundaries of the segments that are carried to the other cells then meet them. Default off.
+   * Whether the segments that the target has already are kept: its cell array "SegmentId", where that is
+   * not -1 (vtkMarrowSegmentSelector makes one of another). The segments that are carried to the other
+   * cells then meet them. Default off.
    */
   vtkSetMacro(KeepTargetSegments, bool);
   vtkGetMacro(KeepTargetSegments, bool);

@@ -141,6 +141,33 @@ protected:
 };
 }
 
+std::vector<int> SegmentsOf(vtkPolyData* mesh)
+{
+  vtkDataArray* array = mesh->GetCellData()->GetArray("SegmentId");
+  std::vector<int> segments;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    segments.push_back(static_cast<int>(array->GetTuple1(i)));
+  }
+  return segments;
+}
+
+/// The lowest point of a segment: of a leg, the foot.
+vtkIdType PointOfSegment(vtkPolyData* mesh, const std::vector<int>& segments, int segment)
+{
+  vtkIdType lowest = -1;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const vtkIdType point = mesh->GetCell(static_cast<vtkIdType>(i))->GetPointId(0);
+    if (segments[i] == segment &&
+      (lowest < 0 || mesh->GetPoint(point)[1] < mesh->GetPoint(lowest)[1]))
+    {
+      lowest = point;
+    }
+  }
+  return lowest;
+}
+
 TEST_F(MarrowCommand, EverySubcommandHasHelpWithAnExample)
 {
   for (const std::string command :
@@ -250,6 +277,56 @@ TEST_F(MarrowCommand, TransferToOneTargetWritesAFile)
     ASSERT_TRUE(seg >> label) << "line " << i;
     ASSERT_EQ(label, labels->GetTuple1(i)) << "face " << i;
   }
+}
+
+TEST_F(MarrowCommand, TransferTakesTheUsersWord)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "target.off");
+  this->ExpectSuccess("transfer source.vtp target.off -o plain.seg");
+  const std::string plain = Content(this->Folder / "plain.seg");
+  this->ExpectSuccess("transfer source.vtp target.off -o second.seg --answer 1");
+  EXPECT_NE(Content(this->Folder / "second.seg"), plain);
+  this->ExpectError("transfer source.vtp target.off -o out.seg --answer 1000",
+    "AnswerIndex is 1000, but the number of answers is");
+
+  this->ExpectError("transfer source.vtp target.off -o out.seg --hint 1000000:1",
+    "source.vtp: it has no point 1000000, only 0 to");
+  this->ExpectError(
+    "correspond source.vtp target.off -o out.csv --hint 1:1000000", "target.off: it has no point");
+  this->ExpectError(
+    "transfer source.vtp target.off -o out.seg --forbid 10-1", "is not SOURCE:TARGET");
+
+  // What the plain result says is true of all but the first leg, which must not be itself.
+  std::istringstream labels(plain);
+  std::vector<int> ofFace;
+  for (int label; labels >> label;)
+  {
+    ofFace.push_back(label);
+  }
+  const int leg = 5;
+  const vtkIdType there = PointOfSegment(Creature(1), SegmentsOf(Creature(1)), leg);
+  const vtkIdType here = PointOfSegment(Creature(2), ofFace, leg);
+  const std::string pair = std::to_string(there) + ":" + std::to_string(here);
+  this->ExpectSuccess("transfer source.vtp target.off -o hinted.seg --hint " + pair);
+  EXPECT_EQ(Content(this->Folder / "hinted.seg"), plain);
+  this->ExpectSuccess("transfer source.vtp target.off -o forbidden.seg --forbid " + pair);
+  EXPECT_NE(Content(this->Folder / "forbidden.seg"), plain);
+  this->ExpectSuccess("correspond source.vtp target.off -o forbidden.csv --forbid " + pair);
+  this->ExpectSuccess("correspond source.vtp target.off -o plain.csv");
+  EXPECT_NE(Content(this->Folder / "forbidden.csv"), Content(this->Folder / "plain.csv"));
+
+  // Only one segment; then, with the target's own beside it, that stays and the rest is filled in.
+  this->ExpectSuccess("transfer source.vtp target.off -o target.seg --only 5");
+  std::istringstream only(Content(this->Folder / "target.seg"));
+  for (std::size_t i = 0; i < ofFace.size(); ++i)
+  {
+    int label = 0;
+    ASSERT_TRUE(only >> label);
+    ASSERT_EQ(label, ofFace[i] == leg ? leg : -1) << "face " << i;
+  }
+  this->ExpectSuccess("transfer source.vtp target.off -o filled.seg --keep");
+  EXPECT_EQ(Content(this->Folder / "filled.seg"), plain);
 }
 
 TEST_F(MarrowCommand, TransferToSeveralTargetsFillsAFolder)

@@ -6,6 +6,14 @@ import plugin
 from plugin import expect, expect_between, expect_equal, fetch, share_of_equal, values
 
 
+def middle_of(mesh, segment):
+    """The mean of the centres of a segment's faces."""
+    labels = mesh.GetCellData().GetArray("SegmentId")
+    cells = [i for i in range(mesh.GetNumberOfCells()) if labels.GetTuple1(i) == segment]
+    corners = [mesh.GetPoint(mesh.GetCell(i).GetPointId(0)) for i in cells]
+    return [sum(corner[axis] for corner in corners) / len(corners) for axis in range(3)]
+
+
 # Not at the top: the script of a Programmable Filter runs there and brings names of its own.
 def main():
     source = simple.Creature(Resolution=6000)
@@ -36,8 +44,24 @@ def main():
     staged.SourceSkeleton = staged.TargetSkeleton = None
     staged.UpdatePipeline()
     algorithm = staged.SMProxy.GetClientSideObject()
-    connections = [algorithm.GetNumberOfInputConnections(port) for port in range(4)]
-    expect_equal(connections, [1, 1, 0, 0], "connections without the skeletons")
+    connections = [algorithm.GetNumberOfInputConnections(port) for port in range(6)]
+    expect_equal(connections, [1, 1, 0, 0, 0, 0], "connections without the skeletons")
+
+    # A point picked on the head of the one and on the tail of the other turns the creature round.
+    head, tail = 2, max(values(truth))
+    staged.HintsontheSource = simple.PointSource(Center=middle_of(fetch(source), head))
+    staged.HintsontheTarget = simple.PointSource(Center=middle_of(fetch(target), tail))
+    turned = values(fetch(staged).GetCellData().GetArray("SegmentId"))
+    hits = [got == head for got, wanted in zip(turned, values(truth)) if wanted == tail]
+    expect(sum(hits) > 0.5 * len(hits), "the hint turns the creature round")
+    staged.HintsontheSource = staged.HintsontheTarget = None
+    staged.Answer = 1
+    expect(values(fetch(staged).GetCellData().GetArray("SegmentId")) != values(labels),
+           "the second answer is the first")
+    staged.Answer = 0
+    staged.CarriedSegments = [2, 3]
+    expect_equal(set(values(fetch(staged).GetCellData().GetArray("SegmentId"))), {-1, 2, 3},
+                 "the carried segments")
 
     # Another array, chosen by its name, among several.
     renamed = simple.ProgrammableFilter(Input=source, Script="""

@@ -66,6 +66,47 @@ class TestTransfer(unittest.TestCase):
         own = (skeleton.node_of_vertex == node)[self.target.faces].all(axis=1)
         return np.bincount(self.result.segments[own]).argmax()
 
+    def middle_of(self, mesh, segment):
+        """The point of a segment that is nearest to its middle."""
+        points = np.unique(mesh.faces[mesh.segments == segment])
+        distances = np.linalg.norm(mesh.points[points] - mesh.points[points].mean(axis=0), axis=1)
+        return int(points[distances.argmin()])
+
+    def test_a_hint_turns_the_mesh_round(self):
+        head, tail = 2, self.source.segments.max()
+        hint = (self.middle_of(self.source, head), self.middle_of(self.target, tail))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            turned = marrow.transfer(self.source, self.target, hints=[hint])
+            forbidden = marrow.transfer(self.source, self.target, forbidden=[
+                (self.middle_of(self.source, head), self.middle_of(self.target, head))])
+        self.assertGreater((turned.segments[self.target.segments == tail] == head).mean(), 0.5)
+        self.assertLess((forbidden.segments[self.target.segments == head] == head).mean(), 0.5)
+        pair = marrow.correspond(self.source, self.target, hints=[hint])
+        plain = marrow.correspond(self.source, self.target)
+        self.assertNotEqual(pair.nodes, plain.nodes)
+
+    def test_hints_name_points_that_there_are(self):
+        with self.assertRaisesRegex(marrow.Error, "the target has no point 1000000, only 0 to"):
+            marrow.transfer(self.source, self.target, hints=[(0, 1000000)])
+
+    def test_the_next_answer(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            second = marrow.transfer(self.source, self.target, answer_index=1)
+        self.assertTrue((second.segments != self.result.segments).any())
+        with self.assertRaisesRegex(marrow.Error, "the number of answers is"):
+            marrow.transfer(self.source, self.target, answer_index=1000)
+
+    def test_chosen_segments_and_those_of_the_target(self):
+        head = marrow.transfer(self.source, self.target, carried=[2])
+        np.testing.assert_array_equal(
+            head.segments, np.where(self.result.segments == 2, 2, -1))
+        own = np.where(self.target.segments == 3, 50, -1)
+        kept = marrow.transfer(
+            self.source, self.target.with_segments(own), keep_target_segments=True)
+        np.testing.assert_array_equal(kept.segments == 50, own == 50)
+
     def test_boundaries_correspond_point_by_point(self):
         source, target = self.result.source_boundaries, self.result.target_boundaries
         self.assertEqual(len(target.loops), 7)

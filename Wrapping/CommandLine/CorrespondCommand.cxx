@@ -54,6 +54,7 @@ CLI::App* CorrespondCommand::Declare(CLI::App& marrow)
   app->add_option("--matcher", this->Matcher, "Correspondence tree or electors voting")
     ->check(CLI::IsMember({ "tree", "electors" }))
     ->capture_default_str();
+  this->Hints.Declare(*app);
   app
     ->add_option("--skeletons", this->Skeletons,
       "Where to write the two matched skeletons (.vtp), to be drawn by marrow render")
@@ -76,12 +77,14 @@ void CorrespondCommand::Run(Console& console)
     files::RequireExtension(skeleton, { ".vtp" });
     files::RequireWritable(skeleton);
   }
+  const vtkSmartPointer<vtkPolyData> sourceMesh = files::ReadMesh(this->Source, console);
   vtkNew<vtkMSPSkeleton> source;
-  source->SetInputData(files::ReadMesh(this->Source, console));
+  source->SetInputData(sourceMesh);
   console.Update(source, this->Source);
   files::ShowNote(source->GetOutputDataObject(1), this->Source, console);
   vtkNew<vtkMSPSkeleton> target;
-  target->SetInputData(files::ReadMesh(this->Target, console));
+  const vtkSmartPointer<vtkPolyData> targetMesh = files::ReadMesh(this->Target, console);
+  target->SetInputData(targetMesh);
   console.Update(target, this->Target);
   files::ShowNote(target->GetOutputDataObject(1), this->Target, console);
 
@@ -91,6 +94,11 @@ void CorrespondCommand::Run(Console& console)
       : vtkSkeletonCorrespondence::CORRESPONDENCE_TREE);
   correspondence->SetInputConnection(0, source->GetOutputPort(0));
   correspondence->SetInputConnection(1, target->GetOutputPort(0));
+  if (!this->Hints.IsEmpty())
+  {
+    this->Hints.Connect(
+      correspondence, { 2, sourceMesh, this->Source }, { 3, targetMesh, this->Target });
+  }
   console.Update(correspondence, this->Source + " and " + this->Target);
 
   auto* matchedSource = vtkPolyData::SafeDownCast(correspondence->GetOutputDataObject(0));

@@ -3,6 +3,7 @@
 #define marrow_CorrespondCommand_h
 
 #include "Command.h"
+#include "HintOptions.h"
 
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ private:
   std::string Target;
   std::string Output;
   std::string Matcher = "tree";
+  HintOptions Hints;
   std::vector<std::string> Skeletons;
 };
 

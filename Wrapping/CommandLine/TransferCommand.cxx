@@ -29,6 +29,20 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
   app->add_option("--format", this->Format, "What to write into the folder")
     ->check(CLI::IsMember(files::Formats()))
     ->capture_default_str();
+  this->Hints.Declare(*app);
+  app
+    ->add_option("--answer", this->AnswerIndex,
+      "Which answer to how the skeletons match is taken: 0 the likeliest, 1 the next, and so on")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  app
+    ->add_option("--only", this->Carried,
+      "The segments to carry, with commas between them; faces that would get another get -1")
+    ->delimiter(',');
+  app->add_flag("--keep", this->Keep,
+    "Keep the segments that a target has already, where they are not -1: those of the file "
+    "TARGET.seg "
+    "beside it, else its own");
   app->add_flag("--skeletons", this->WriteSkeletons,
     "Also write the skeletons, NAME_skeleton.vtp in the folder of the output");
   app->footer(
@@ -36,6 +50,7 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
     "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled\n"
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.obj\n"
+    "  marrow transfer camel.off elephant.off --segments camel.seg --hint 1043:88 -o elephant.vtp\n"
     "A target that cannot be done is named, and the others are done; the exit code is then 1.");
   return app;
 }
@@ -106,11 +121,40 @@ vtkSmartPointer<vtkPolyData> TransferCommand::WithSkeleton(
   return vtkPolyData::SafeDownCast(skeleton->GetOutputDataObject(1));
 }
 
+void TransferCommand::SetUp(vtkSegmentationTransfer* transfer) const
+{
+  transfer->SetAnswerIndex(this->AnswerIndex);
+  transfer->SetKeepTargetSegments(this->Keep);
+  for (const int segment : this->Carried)
+  {
+    transfer->AddCarriedSegment(segment);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> TransferCommand::ReadTarget(
+  const std::string& path, Console& console) const
+{
+  if (!this->Keep)
+  {
+    return files::ReadMesh(path, console);
+  }
+  const std::filesystem::path beside =
+    std::filesystem::path(path).parent_path() / (files::Stem(path) + ".seg");
+  files::SegmentSource segments = this->Segments;
+  segments.File = std::filesystem::exists(beside) ? beside.string() : "";
+  return files::ReadSegmented(path, segments, console);
+}
+
 void TransferCommand::TransferTo(vtkSegmentationTransfer* transfer, const std::string& target,
   const std::string& output, Console& console) const
 {
-  transfer->SetInputData(
-    1, this->WithSkeleton(files::ReadMesh(target, console), target, output, console));
+  const vtkSmartPointer<vtkPolyData> mesh = this->ReadTarget(target, console);
+  transfer->SetInputData(1, this->WithSkeleton(mesh, target, output, console));
+  if (!this->Hints.IsEmpty())
+  {
+    auto* source = vtkPolyData::SafeDownCast(transfer->GetInputDataObject(0, 0));
+    this->Hints.Connect(transfer, { 4, source, this->Source }, { 5, mesh, target });
+  }
   console.Update(transfer, target);
   vtkDataObject* labelled = transfer->GetOutputDataObject(0);
   files::ShowNote(labelled, target, console);
@@ -123,6 +167,7 @@ void TransferCommand::Run(Console& console)
   this->RequireFreeNames(outputs);
   // One filter for all targets: what it knows of the source is found out once.
   vtkNew<vtkSegmentationTransfer> transfer;
+  this->SetUp(transfer);
   transfer->SetInputData(0,
     this->WithSkeleton(files::ReadSegmented(this->Source, this->Segments, console), this->Source,
       outputs.front(), console));

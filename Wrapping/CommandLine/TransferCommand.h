@@ -3,6 +3,7 @@
 #define marrow_TransferCommand_h
 
 #include "Command.h"
+#include "HintOptions.h"
 #include "MeshFiles.h"
 
 #include <string>
@@ -30,6 +31,11 @@ private:
   vtkSmartPointer<vtkPolyData> WithSkeleton(vtkPolyData* mesh, const std::string& path,
     const std::string& besideFile, Console& console) const;
 
+  void SetUp(vtkSegmentationTransfer* transfer) const;
+
+  /// The target, with --keep with its segments.
+  vtkSmartPointer<vtkPolyData> ReadTarget(const std::string& path, Console& console) const;
+
   void TransferTo(vtkSegmentationTransfer* transfer, const std::string& target,
     const std::string& output, Console& console) const;
 
@@ -38,6 +44,10 @@ private:
   files::SegmentSource Segments;
   std::string Output;
   std::string Format = "vtp";
+  HintOptions Hints;
+  int AnswerIndex = 0;
+  std::vector<int> Carried;
+  bool Keep = false;
   bool WriteSkeletons = false;
 };
 

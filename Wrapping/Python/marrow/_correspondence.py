@@ -9,6 +9,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 from ._arrays import Array, named, view
+from ._hints import Hints, connect_hints
 from ._mesh import MeshLike
 from ._parameters import set_parameters
 from ._progress import ProgressCallback, Watch
@@ -103,6 +104,8 @@ def correspond(
     source: Union[MeshLike, Skeleton],
     target: Union[MeshLike, Skeleton],
     *,
+    hints: Optional[Hints] = None,
+    forbidden: Optional[Hints] = None,
     progress: Optional[ProgressCallback] = None,
     progress_bar: bool = False,
     **parameters: Unpack[CorrespondenceParameters],
@@ -113,6 +116,11 @@ def correspond(
     ----------
     source, target
         Skeletons; of meshes, the skeletons are computed by the defaults of marrow.skeleton.
+    hints : pairs of int, default: none
+        (source point, target point): points of the meshes that are of the same part. Answers that
+        keep to them come first.
+    forbidden : pairs of int, default: none
+        The same for points whose parts must not be taken for each other.
     matcher : "correspondence_tree" or "electors_voting", default: "correspondence_tree"
         The method; the second is there for comparisons.
     leaf_index : int, 0 or more, default: 0
@@ -163,6 +171,8 @@ def correspond(
         )
         for port, side in enumerate(sides):
             algorithm.SetInputData(port, side.polydata)
+        meshes = (sides[0].mesh.polydata, sides[1].mesh.polydata)
+        connect_hints(algorithm, (2, 3), meshes, hints, forbidden)
         run(algorithm, "correspond", watch, 0.9, 1.0)
     table = vtkTable()
     table.ShallowCopy(algorithm.GetOutputDataObject(2))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Optional, TypedDict, Union, Unpack
+from typing import Iterable, List, Optional, TypedDict, Union, Unpack
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from ._arrays import Array, lines_of, named, points_of
+from ._hints import Hints, connect_hints
 from ._mesh import Mesh, MeshLike, Segments, polydata_of, set_segments
 from ._parameters import set_parameters
 from ._progress import ProgressCallback, Watch
@@ -59,6 +60,8 @@ class Transfer(Mesh):
 
 
 class TransferParameters(TypedDict, total=False):
+    answer_index: Optional[int]
+    keep_target_segments: Optional[bool]
     strict_boundaries: Optional[bool]
     theta: Optional[float]
     kernel: Optional[float]
@@ -71,6 +74,9 @@ def transfer(
     target: Union[MeshLike, Skeleton],
     *,
     segments: Segments = None,
+    hints: Optional[Hints] = None,
+    forbidden: Optional[Hints] = None,
+    carried: Optional[Iterable[int]] = None,
     progress: Optional[ProgressCallback] = None,
     progress_bar: bool = False,
     **parameters: Unpack[TransferParameters],
@@ -84,6 +90,17 @@ def transfer(
         again, nor is their correspondence.
     segments : (m,) int, or the name of a cell array
         The segment of each face of the source. Default: the source's own, the array "SegmentId".
+    hints : pairs of int, default: none
+        (source point, target point): points that are of the same part; before all other evidence.
+        One pair on the two heads turns an animal round that was matched back to front.
+    forbidden : pairs of int, default: none
+        The same for points whose parts must not be taken for each other.
+    answer_index : int, 0 or more, default: 0
+        Which answer to how the skeletons match is taken: 0 the likeliest, 1 the next, and so on.
+    carried : ints, default: all
+        The segments to carry; faces that would get another have the segment -1, which is none.
+    keep_target_segments : bool, default: False
+        Keep the segments that the target has already, where they are not -1.
     strict_boundaries : bool, default: False
         Carry only the boundaries of the paper, those around one branch.
     theta : float, 1 to 100, default: 1.5
@@ -105,12 +122,12 @@ def transfer(
     Raises
     ------
     Error
-        If a mesh or its segments cannot be used.
+        If a mesh, its segments or a hint cannot be used.
 
     Warns
     -----
     MarrowWarning
-        If a segment is lost, or the skeletons are of no help.
+        If a segment is lost, the skeletons are of no help, or no answer keeps to the hints.
 
     Examples
     --------
@@ -121,14 +138,19 @@ def transfer(
     """
     algorithm = vtkSegmentationTransfer()
     set_parameters(algorithm, transfer, TransferParameters, parameters)
+    for segment in carried or ():
+        algorithm.AddCarriedSegment(segment)
+    meshes = []
     for port, side in enumerate((source, target)):
         mesh = polydata_of(side.mesh if isinstance(side, Skeleton) else side)
         if port == 0:
             algorithm.SetInputArrayToProcess(
                 0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, set_segments(mesh, segments))
         algorithm.SetInputData(port, mesh)
+        meshes.append(mesh)
         if isinstance(side, Skeleton):
             algorithm.SetInputData(2 + port, side.polydata)
+    connect_hints(algorithm, (4, 5), (meshes[0], meshes[1]), hints, forbidden)
     with Watch("transfer", progress, progress_bar) as watch:
         run(algorithm, "transfer", watch)
     return Transfer(
