@@ -50,7 +50,7 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
     "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled\n"
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.obj\n"
-    "  marrow transfer camel.off elephant.off --segments camel.seg --hint 1043:88 -o elephant.vtp\n"
+    "  marrow transfer camel.off cow.off --segments camel.seg --hint 2741:71 -o cow.vtp\n"
     "A target that cannot be done is named, and the others are done; the exit code is then 1.");
   return app;
 }
