@@ -48,14 +48,8 @@ std::string ReadLabelling(
       std::to_string(first->GetNumberOfPoints()) + " and " +
       std::to_string(first->GetNumberOfCells()) + ": connect labellings of one mesh.";
   }
-  vtkDataArray* labels = mesh->GetCellData()->GetArray(name.c_str());
-  if (!labels)
-  {
-    return "the mesh has no cell array \"" + name +
-      "\" of segments: choose one with SetInputArrayToProcess.";
-  }
   const std::string error =
-    marrow::ToLabels(labels, mesh->GetNumberOfCells(), "cell", labelling.Labels);
+    marrow::ReadLabels(mesh, mesh->GetCellData()->GetArray(name.c_str()), name, labelling.Labels);
   if (!error.empty())
   {
     return error;

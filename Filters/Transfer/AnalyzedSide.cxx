@@ -2,7 +2,6 @@
 #include "AnalyzedSide.h"
 
 #include "ArrayNames.h"
-#include "LabelBridge.h"
 #include "MSPSkeleton.h"
 #include "MeshBridge.h"
 #include "SkeletonBridge.h"
@@ -240,28 +239,5 @@ std::vector<int> LabelsOfBody(
     }
   }
   return labels;
-}
-
-std::string ReadLabels(const char* side, vtkPolyData* mesh, vtkDataArray* array,
-  const std::string& name, std::vector<int>& labels)
-{
-  if (!array)
-  {
-    std::string known;
-    vtkCellData* cells = mesh->GetCellData();
-    for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
-    {
-      const char* other = cells->GetArrayName(i);
-      known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
-    }
-    return std::string(side) + ": the mesh has no cell array \"" + name + "\" of segments; " +
-      (known.empty()
-          ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader, or choose "
-            "other labels with vtkMarrowSegmentSelector."
-          : "it has " + known +
-            ": choose one with SetInputArrayToProcess or vtkMarrowSegmentSelector.");
-  }
-  const std::string error = ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
-  return error.empty() ? error : std::string(side) + ": " + error;
 }
 }

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkPolyData;
 
 /// From what is connected to vtkSegmentationTransfer to what the algorithms read, and back. Functions
@@ -43,11 +42,6 @@ std::string AnalyzeSide(
 
 /// The arrays of vtkSkeletonCorrespondence, if the skeleton has them.
 GivenCorrespondence ReadCorrespondence(vtkPolyData* skeleton);
-
-/// The labels of the cells of a `side` ("Source" or "Target"). `array` may be null: then the message names
-/// those there are.
-std::string ReadLabels(const char* side, vtkPolyData* mesh, vtkDataArray* array,
-  const std::string& name, std::vector<int>& labels);
 
 /// The labels of the triangles of a body: the most area of the cells that became each.
 std::vector<int> LabelsOfBody(

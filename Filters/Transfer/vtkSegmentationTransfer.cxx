@@ -5,6 +5,7 @@
 #include "ArrayNames.h"
 #include "FilterSupport.h"
 #include "HintBridge.h"
+#include "LabelBridge.h"
 #include "MeshBridge.h"
 #include "ParallelFor.h"
 #include "SegmentLoops.h"
@@ -187,16 +188,21 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   };
 
   std::vector<int> labels;
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   marrow::SideGuidance guidance;
   guidance.AnswerIndex = this->AnswerIndex;
-  std::string error = marrow::ReadLabels("Source", sourceMesh,
-    this->GetInputArrayToProcess(0, inputVector), name ? name : marrow::names::SegmentId, labels);
+  const auto readLabels = [](const char* side, vtkPolyData* mesh, vtkDataArray* array,
+                            const char* name, std::vector<int>& ofCells)
+  {
+    const std::string error =
+      marrow::ReadLabels(mesh, array, name ? name : marrow::names::SegmentId, ofCells);
+    return error.empty() ? error : side + (": " + error);
+  };
+  std::string error = readLabels("Source", sourceMesh, this->GetInputArrayToProcess(0, inputVector),
+    this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()), labels);
   if (error.empty() && this->KeepTargetSegments)
   {
-    error = marrow::ReadLabels("Target", targetMesh,
-      targetMesh->GetCellData()->GetArray(marrow::names::SegmentId), marrow::names::SegmentId,
-      guidance.KeptLabels);
+    vtkDataArray* own = targetMesh->GetCellData()->GetArray(marrow::names::SegmentId);
+    error = readLabels("Target", targetMesh, own, nullptr, guidance.KeptLabels);
   }
   if (error.empty())
   {

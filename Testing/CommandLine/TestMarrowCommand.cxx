@@ -329,6 +329,19 @@ TEST_F(MarrowCommand, TransferTakesTheUsersWord)
   EXPECT_EQ(Content(this->Folder / "filled.seg"), plain);
 }
 
+TEST_F(MarrowCommand, TransferCutsTheFacesAlongBoundaries)
+{
+  this->Write<vtkXMLPolyDataWriter>(Creature(1), "source.vtp");
+  this->WriteOFF(Creature(2), "target.off");
+  this->ExpectSuccess("transfer source.vtp target.off -o whole.vtp");
+  this->ExpectSuccess("transfer source.vtp target.off -o cut.vtp --cut");
+  const vtkSmartPointer<vtkPolyData> cut = this->Read("cut.vtp");
+  EXPECT_GT(cut->GetNumberOfCells(), this->Read("whole.vtp")->GetNumberOfCells());
+  EXPECT_TRUE(cut->GetCellData()->HasArray("vtkOriginalCellIds"));
+  this->ExpectError("transfer source.vtp target.off -o cut.seg --cut",
+    "cut.seg: a .seg file is of the target's own faces");
+}
+
 TEST_F(MarrowCommand, TransferToSeveralTargetsFillsAFolder)
 {
   // The labels come with the source's own array.

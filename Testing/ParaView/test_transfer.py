@@ -63,6 +63,11 @@ def main():
     expect_equal(set(values(fetch(staged).GetCellData().GetArray("SegmentId"))), {-1, 2, 3},
                  "the carried segments")
 
+    cut = fetch(simple.SegmentCutter(Mesh=transfer))
+    expect(cut.GetNumberOfCells() > labelled.GetNumberOfCells(), "no face was cut")
+    expect_equal(set(values(cut.GetCellData().GetArray("SegmentId"))), set(values(labels)),
+                 "segments of the cut mesh")
+
     # Another array, chosen by its name, among several.
     renamed = simple.ProgrammableFilter(Input=source, Script="""
 segments = inputs[0].CellData["SegmentId"]

@@ -17,6 +17,8 @@ herd = {name: marrow.read(f"meshes/{name}.off") for name in ("camel", "cow", "bu
 for mesh in marrow.collection(herd, segments={"camel": camel.segments}):
     print(mesh.name, "by", mesh.source or "hand", f"{mesh.sureness:.2f}", mesh.remark)
 
+right = marrow.transfer(camel, cow, hints=[(740, 71)])
+
 points, faces = camel.points, camel.faces  # (n, 3) float, (m, 3) int
 by_arrays = marrow.transfer((points, faces), cow.polydata, segments=camel.segments)
 assert (by_arrays.segments == labelled.segments).all()

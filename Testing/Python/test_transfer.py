@@ -107,6 +107,17 @@ class TestTransfer(unittest.TestCase):
             self.source, self.target.with_segments(own), keep_target_segments=True)
         np.testing.assert_array_equal(kept.segments == 50, own == 50)
 
+    def test_cut_along_boundaries(self):
+        smooth = marrow.cut(self.result)
+        whole = np.bincount(smooth.original_faces, minlength=len(self.result.faces)) == 1
+        self.assertTrue(0 < (~whole).sum() < 0.2 * len(whole))
+        np.testing.assert_array_equal(smooth.points[:len(self.result.points)], self.result.points)
+        self.assertEqual(set(smooth.segments), set(self.result.segments))
+        np.testing.assert_array_equal(
+            marrow.cut(self.target, segments=self.result.segments).segments, smooth.segments)
+        with self.assertRaisesRegex(marrow.Error, "no cell array"):
+            marrow.cut((self.target.points, self.target.faces))
+
     def test_boundaries_correspond_point_by_point(self):
         source, target = self.result.source_boundaries, self.result.target_boundaries
         self.assertEqual(len(target.loops), 7)

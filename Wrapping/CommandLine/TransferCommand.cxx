@@ -6,6 +6,7 @@
 #include "MeshFiles.h"
 
 #include <vtkMSPSkeleton.h>
+#include <vtkMarrowSegmentCutter.h>
 #include <vtkPolyData.h>
 #include <vtkSegmentationTransfer.h>
 
@@ -43,6 +44,9 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
     "Keep the segments that a target has already, where they are not -1: those of the file "
     "TARGET.seg "
     "beside it, else its own");
+  app->add_flag("--cut", this->Cut,
+    "Cut the target's faces along smooth boundaries of the segments; without it whole faces are "
+    "labelled");
   app->add_flag("--skeletons", this->WriteSkeletons,
     "Also write the skeletons, NAME_skeleton.vtp in the folder of the output");
   app->footer(
@@ -50,7 +54,7 @@ CLI::App* TransferCommand::Declare(CLI::App& marrow)
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.vtp\n"
     "  marrow transfer camel.off cow.off bull.off --segments camel.seg -o labelled\n"
     "  marrow transfer camel.off cow.off --segments camel.seg -o cow.obj\n"
-    "  marrow transfer camel.off cow.off --segments camel.seg --hint 2741:71 -o cow.vtp\n"
+    "  marrow transfer camel.off cow.off --segments camel.seg --hint 740:71 -o cow.vtp\n"
     "A target that cannot be done is named, and the others are done; the exit code is then 1.");
   return app;
 }
@@ -156,14 +160,27 @@ void TransferCommand::TransferTo(vtkSegmentationTransfer* transfer, const std::s
     this->Hints.Connect(transfer, { 4, source, this->Source }, { 5, mesh, target });
   }
   console.Update(transfer, target);
-  vtkDataObject* labelled = transfer->GetOutputDataObject(0);
+  vtkSmartPointer<vtkPolyData> labelled =
+    vtkPolyData::SafeDownCast(transfer->GetOutputDataObject(0));
   files::ShowNote(labelled, target, console);
-  files::Write(vtkPolyData::SafeDownCast(labelled), output, console);
+  if (this->Cut)
+  {
+    vtkNew<vtkMarrowSegmentCutter> cutter;
+    cutter->SetInputData(labelled);
+    console.Update(cutter, target);
+    labelled = cutter->GetOutput();
+  }
+  files::Write(labelled, output, console);
 }
 
 void TransferCommand::Run(Console& console)
 {
   const std::vector<std::string> outputs = this->OutputFiles();
+  if (this->Cut && files::Extension(outputs.front()) == ".seg")
+  {
+    throw CommandError(outputs.front() +
+      ": a .seg file is of the target's own faces, which --cut cuts; choose a format of meshes.");
+  }
   this->RequireFreeNames(outputs);
   // One filter for all targets: what it knows of the source is found out once.
   vtkNew<vtkSegmentationTransfer> transfer;

@@ -48,6 +48,7 @@ private:
   int AnswerIndex = 0;
   std::vector<int> Carried;
   bool Keep = false;
+  bool Cut = false;
   bool WriteSkeletons = false;
 };
 

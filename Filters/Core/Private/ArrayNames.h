@@ -44,6 +44,9 @@ inline constexpr const char* SegmentConfidence = "SegmentConfidence";
 inline constexpr const char* SegmentDisagreement = "SegmentDisagreement";
 inline constexpr const char* SegmentShares = "SegmentShares";
 
+// On the cells of a mesh that was cut along its segments: as VTK calls it
+inline constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
+
 // On a mesh that was labelled as a whole (field data)
 inline constexpr const char* MatchingCost = "MatchingCost";
 inline constexpr const char* SegmentShareId = "SegmentShareId";

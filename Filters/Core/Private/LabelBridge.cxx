@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelBridge.h"
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkPolyData.h>
 #include <vtkSetGet.h>
 #include <vtkVariant.h>
 
@@ -85,5 +87,27 @@ std::string ToLabels(
   }
   return name + "is " + value + at + ", beyond the range from " + std::to_string(Least) + " to " +
     std::to_string(Most) + ": number the segments anew.";
+}
+
+std::string ReadLabels(
+  vtkPolyData* mesh, vtkDataArray* array, const std::string& name, std::vector<int>& labels)
+{
+  if (array)
+  {
+    return ToLabels(array, mesh->GetNumberOfCells(), "cell", labels);
+  }
+  std::string known;
+  vtkCellData* cells = mesh->GetCellData();
+  for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+  {
+    const char* other = cells->GetArrayName(i);
+    known += (known.empty() ? "" : ", ") + std::string("\"") + (other ? other : "") + "\"";
+  }
+  return "the mesh has no cell array \"" + name + "\" of segments; " +
+    (known.empty()
+        ? "it has no cell arrays: read a .seg file with vtkMarrowSegmentReader, or choose "
+          "other labels with vtkMarrowSegmentSelector."
+        : "it has " + known +
+          ": choose one with SetInputArrayToProcess or vtkMarrowSegmentSelector.");
 }
 }

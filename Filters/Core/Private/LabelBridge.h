@@ -8,6 +8,7 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkPolyData;
 
 namespace marrow
 {
@@ -15,6 +16,11 @@ namespace marrow
 /// int, whatever its type. Returns one sentence that says what is wrong, or an empty one.
 std::string ToLabels(
   vtkDataArray* array, vtkIdType size, const char* where, std::vector<int>& labels);
+
+/// The segments of a mesh's cells, by the cell array `array` that was chosen. That may be null, where there is
+/// none of the name that was asked for: then the sentence names those there are.
+std::string ReadLabels(
+  vtkPolyData* mesh, vtkDataArray* array, const std::string& name, std::vector<int>& labels);
 }
 
 #endif

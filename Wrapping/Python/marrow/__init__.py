@@ -11,14 +11,15 @@ A mesh is a vtkPolyData (of a subclass too, as pyvista's), a marrow.Mesh, or a p
 arrays of the shapes (n, 3), float, and (m, 3), int. It is never changed. What comes out has the
 vtkPolyData with all arrays, and numpy's read-only views on them.
 
-Functions: measure, skeleton, mean_curvature_skeleton, correspond, transfer, collection, fuse, evaluate,
-render, read, write, creature. Their keyword arguments are the parameters of the VTK classes, in marrow.vtk; what is
-not given, or None, has the default of the class. Lengths among them are ratios, so units do not
-matter. Errors are marrow.Error, warnings marrow.MarrowWarning; Ctrl-C stops a computation.
+Functions: measure, skeleton, mean_curvature_skeleton, correspond, transfer, cut, collection, fuse,
+evaluate, render, read, write, creature. Their keyword arguments are the parameters of the VTK classes, in
+marrow.vtk; what is not given, or None, has the default of the class. Lengths among them are ratios, so
+units do not matter. Errors are marrow.Error, warnings marrow.MarrowWarning; Ctrl-C stops a computation.
 """
 from ._collection import Collected, Fusion, collection, fuse
 from ._correspondence import Correspondence, Match, correspond
 from ._creature import creature
+from ._cut import Cut, cut
 from ._evaluation import Evaluation, evaluate
 from ._files import read, write
 from ._measures import Measures, measure
@@ -33,6 +34,7 @@ __all__ = [
     "Boundaries",
     "Collected",
     "Correspondence",
+    "Cut",
     "Error",
     "Evaluation",
     "Fusion",
@@ -48,6 +50,7 @@ __all__ = [
     "collection",
     "correspond",
     "creature",
+    "cut",
     "evaluate",
     "fuse",
     "mean_curvature_skeleton",
