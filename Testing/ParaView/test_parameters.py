@@ -130,7 +130,9 @@ def check_proxy(group, element, cls):
 
     properties = {}
     # Inputs are in a dialog, and in the panel if they can be taken away again.
-    shown = sum(i.get("panel_widget") is not None for i in element.findall("InputProperty"))
+    shown = sum(
+        i.get("panel_widget") is not None and i.get("panel_visibility", "default") == "default"
+        for i in element.findall("InputProperty"))
     for p in element:
         if not p.tag.endswith("VectorProperty"):
             continue
@@ -138,6 +140,10 @@ def check_proxy(group, element, cls):
         if p.get("command") == "SetInputArrayToProcess":
             expect(p.find("ArrayListDomain") is not None, f"{where}: an array without a choice")
             expect(p.findtext("Documentation", "").strip(), f"{where}: an array without words")
+        elif p.get("repeat_command"):
+            for command in (p.get("command"), p.get("clean_command")):
+                expect(hasattr(cls, command), f"{where}: {cls.__name__} has no {command}")
+            expect(p.findtext("Documentation", "").strip(), f"{where}: a list without words")
         else:
             properties[p.get("command")[len("Set"):]] = p
     expect(shown <= MOST_AT_FIRST, f"{where} shows {shown} properties at first")
@@ -155,7 +161,7 @@ def main():
         for group in ElementTree.parse(file_name).getroot().findall("ProxyGroup"):
             for element in group:
                 seen.append(check_proxy(group.get("name"), element, known[element.get("class")]))
-    expect_equal(len(seen), 14, "number of proxies")
+    expect_equal(len(seen), 15, "number of proxies")
     print("Checked: " + ", ".join(seen))
     plugin.finish()
 

@@ -11,6 +11,7 @@ namespace marrow
 {
 namespace
 {
+/// The second round sees the choices of the first.
 constexpr int NumberOfVotes = 2;
 /// Smaller differences are rounding.
 constexpr double LeastGain = 1e-3;

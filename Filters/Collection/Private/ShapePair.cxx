@@ -67,7 +67,7 @@ bool ShapePair::MatchAgain(const Progress& progress)
 
 bool ShapePair::FindAnswers(const Progress& progress)
 {
-  constexpr double afterMatching = 0.4;
+  constexpr double afterMatching = 0.4; // of the progress
   if (!this->MatchAgain(SubProgress(progress, 0.0, afterMatching)))
   {
     return false;
@@ -124,7 +124,7 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   {
     return true;
   }
-  constexpr double afterMatching = 0.2;
+  constexpr double afterMatching = 0.2; // of the progress
   if (!this->MatchAgain(SubProgress(progress, 0.0, afterMatching)))
   {
     return false;

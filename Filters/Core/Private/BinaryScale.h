@@ -16,6 +16,7 @@ namespace marrow
 /// digit; 0 where they are far from that range.
 inline int ScaleExponent(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& used)
 {
+  /// Beyond 2 to this, products of six coordinates leave the range of a double.
   constexpr int largestExponent = 64;
   double largest = 0.0;
   for (int point : used)

@@ -13,8 +13,11 @@ namespace marrow
 {
 namespace
 {
+/// Cells a side of a block that is looked at only if the surface may pass it; time alone.
 constexpr int BlockSize = 8;
 constexpr int BlockPoints = BlockSize + 1;
+/// What rounding may take from a distance.
+constexpr double WithRounding = 1.0001;
 
 using Index = Eigen::Vector3i;
 
@@ -59,7 +62,7 @@ private:
       (this->First + begin).cast<double>() + 0.5 * (size - Index::Ones()).cast<double>();
     const double value = function(low + spacing * middle);
     const double reach = 0.5 * (size - Index::Ones()).cast<double>().norm() + 1.0;
-    if (size.maxCoeff() == 1 || std::abs(value) > 1.0001 * spacing * reach)
+    if (size.maxCoeff() == 1 || std::abs(value) > WithRounding * spacing * reach)
     {
       for (int z = begin[2]; z < end[2]; ++z)
       {
@@ -101,7 +104,7 @@ void FindBlocks(const std::function<double(const Eigen::Vector3d&)>& function,
 {
   const Index size = end - begin;
   const Eigen::Vector3d middle = begin.cast<double>() + 0.5 * size.cast<double>();
-  const double reach = 0.5 * BlockSize * spacing * size.cast<double>().norm() * 1.0001;
+  const double reach = 0.5 * BlockSize * spacing * size.cast<double>().norm() * WithRounding;
   if (std::abs(function(low + BlockSize * spacing * middle)) > reach)
   {
     return;

@@ -14,6 +14,7 @@ namespace marrow
 {
 namespace
 {
+/// 6!: up to six branches at a junction are tried in every order.
 constexpr int MaximumEnumeration = 720;
 
 double SquaredAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)

@@ -8,6 +8,7 @@ namespace marrow
 double PathUnlikeness(const FeatureGraph& source, const std::vector<int>& sourcePath,
   const FeatureGraph& target, const std::vector<int>& targetPath)
 {
+  /// As DescriptorPieces, the paper's K.
   constexpr int pieces = 8;
   using Measure = FeatureGraph::Measure;
   const double length = std::abs(source.Length(sourcePath) - target.Length(targetPath));

@@ -14,12 +14,15 @@ namespace marrow
 {
 namespace
 {
+/// Of branches at one junction; work is bounded by it, and the right one is among the first few.
 constexpr std::size_t MaximumAssignments = 6;
 /// Makes a pairing impossible where there is any other.
 constexpr double Forbidden = 10.0;
+/// A branch of a cluster against one of none: as much as branches of a cluster may differ (λ_B).
+constexpr double ClusterMismatch = 0.1;
+/// Assignments rated within this of the best are tied: what branches differ by in one limb.
+constexpr double Tie = 0.1;
 }
-
-// ----------------------------------------------------
 
 std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchBranches(
   const TreeNode& node, int nodes)
@@ -50,7 +53,8 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchBranches(
       if (loop)
       {
         vector += graph.Direction(group, all[i] ^ 1);
-        vector = vector.norm() > 1e-9 ? Eigen::Vector3d(vector.normalized()) : vector;
+        constexpr double opposite = 1e-9; // two unit vectors that cancel each other out
+        vector = vector.norm() > opposite ? Eigen::Vector3d(vector.normalized()) : vector;
       }
       result.Darts.push_back(all[i]);
       result.Sizes.push_back(sizes[i]);
@@ -99,7 +103,7 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchBranches(
       }
       if ((source.Clusters[i] < 0) != (target.Clusters[j] < 0))
       {
-        unlikeness += 0.1;
+        unlikeness += ClusterMismatch;
       }
       sets.Unlikeness(static_cast<int>(i), static_cast<int>(j)) = unlikeness;
     }
@@ -119,7 +123,7 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchBranches(
   {
     if (children.size() == MaximumAssignments ||
       (!children.empty() && children.size() >= tenth &&
-        rating(assignment) > rating(assignments.front()) + 0.1))
+        rating(assignment) > rating(assignments.front()) + Tie))
     {
       break;
     }

@@ -12,6 +12,7 @@ namespace marrow
 {
 namespace
 {
+/// Pairs of junctions that a tree begins with; work is bounded by it, and each pair grows a subtree.
 constexpr std::size_t MaximumCorePairs = 8;
 }
 

@@ -9,7 +9,13 @@
 
 namespace marrow
 {
-// ----------------------------------------------------------------
+namespace
+{
+/// What two matched ends are worth: more than their cost, as long as that is in the usual range.
+constexpr double MatchGain = 0.1;
+/// Another way on is tried too where it costs no more than this share of the first.
+constexpr double ClearlyBetter = 0.7;
+}
 
 std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchEnds(
   const TreeNode& parent, int branches)
@@ -49,7 +55,7 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchEnds(
       this->AddNodes(child, way.Source, way.Target, way.IsJunction);
     child.Match.Merges += static_cast<int>(way.SourcePath.size() + way.TargetPath.size());
     this->Statistics.Merges += way.Merges;
-    child.Gain += 0.1 - way.Rating;
+    child.Gain += MatchGain - way.Rating;
     children.push_back(std::move(child));
   }
   return children;
@@ -58,6 +64,7 @@ std::vector<CorrespondenceTree::TreeNode> CorrespondenceTree::MatchEnds(
 std::vector<CorrespondenceTree::Continuation> CorrespondenceTree::FindContinuations(
   const TreeNode& node, const MatchedBranches& branches) const
 {
+  /// Junctions that a chain may pass; with more, most of a skeleton could be skipped.
   constexpr std::size_t maximumSkips = 3;
   // The ways on by skipping junctions, the nearest first.
   const auto waysFrom = [&](const FeatureGraph& graph, const Side& side, int lastDart)
@@ -206,7 +213,8 @@ std::vector<CorrespondenceTree::Continuation> CorrespondenceTree::ChooseContinua
     result.push_back(*first);
     for (const Continuation& way : all)
     {
-      if (&way != first && way.IsJunction && result.size() < 3 && way.Rating < 0.7 * first->Rating)
+      if (&way != first && way.IsJunction && result.size() < 3 &&
+        way.Rating < ClearlyBetter * first->Rating)
       {
         result.push_back(way);
       }

@@ -53,6 +53,7 @@ ElectorsVoting::ElectorsVoting(
 
 bool ElectorsVoting::Vote(const Progress& progress)
 {
+  /// The tolerances are doubled twice at most: beyond that all nodes pass.
   constexpr int attempts = 3;
   const std::size_t possible = std::min(this->Source.Size(), this->Target.Size());
   PairSet winner;

@@ -15,9 +15,9 @@ namespace marrow
 {
 struct VotingParameters
 {
-  double CentricityTolerance = 0.4; ///< of AGD
-  double PathTolerance = 0.3;       ///< of path lengths over the longest path
-  double SpatialTolerance = 0.35;   ///< share of the spread that no rotation explains
+  double CentricityTolerance = 0.4; ///< of AGD; default of vtkSkeletonCorrespondence
+  double PathTolerance = 0.3;       ///< of path lengths over the longest path; likewise
+  double SpatialTolerance = 0.35;   ///< share of the spread that no rotation explains; likewise
 };
 
 /// Electors voting: O. K.-C. Au, C.-L. Tai, D. Cohen-Or, Y. Zheng, H. Fu, "Electors voting for fast
@@ -45,6 +45,7 @@ struct VotingParameters
 class ElectorsVoting
 {
 public:
+  /// Work and memory are bounded by it.
   static constexpr std::size_t MaximumSets = 1000;
 
   ElectorsVoting(

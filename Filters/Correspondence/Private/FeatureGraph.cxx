@@ -75,6 +75,7 @@ FeatureGraph::FeatureGraph(const Skeleton& skeleton, int pieces)
 
 void FeatureGraph::SmoothPositions()
 {
+  /// Zigzag of one or two nodes is gone after so many, and bends of more stay.
   constexpr int sweeps = 10;
   const SkeletonGraph& graph = this->Bones.Graph;
   this->Positions.resize(boost::num_vertices(graph));

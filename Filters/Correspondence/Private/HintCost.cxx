@@ -36,9 +36,10 @@ std::vector<double> DistancesToTerminals(const TerminalPaths& paths, int node)
   return distances;
 }
 
-/// Proportions differ: distances of which one is at most twice the other say nothing. In [0,1].
+/// In [0,1].
 double Disagreement(double a, double b)
 {
+  /// (a − b) / (a + b) where a is twice b. Proportions differ: less says nothing.
   constexpr double twice = 1.0 / 3.0;
   if (std::isinf(a) || std::isinf(b))
   {

@@ -10,8 +10,9 @@ namespace
 {
 using Assignment = GlobalCost::Assignment;
 
-/// How much the intrinsic cost may rise for the sake of the right hand.
+/// How much the intrinsic cost may rise to get left and right as they are; less than any real difference.
 constexpr double SymmetryTolerance = 0.01;
+/// Pairs of twins that are exchanged in all combinations; their number doubles with each.
 constexpr std::size_t MaximumSymmetries = 5;
 
 /// Calls visit(changed) for everything one step away.
@@ -54,7 +55,9 @@ void ForEachNeighbor(
 Assignment DescendBy(
   const std::function<double(const Assignment&)>& cost, int targets, Assignment current)
 {
+  /// A smaller gain is rounding.
   constexpr double least = 1e-9;
+  /// Only a bound: every step lowers the cost.
   constexpr int maximumSteps = 100;
   double currentCost = cost(current);
   for (int step = 0; step < maximumSteps; ++step)

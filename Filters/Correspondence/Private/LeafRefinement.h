@@ -13,9 +13,8 @@ namespace marrow
 GlobalCost::Assignment TerminalAssignment(
   const TerminalPaths& source, const TerminalPaths& target, const FeatureCorrespondence& leaf);
 
-/// Where one gets from each of `starts` by exchanging, adding and dropping pairs of terminals until the
-/// global cost falls no further: first what handedness does not enter, then left and right. Each
-/// result once.
+/// Local search from each of `starts`: exchanges, adds and drops pairs of terminals until the global cost
+/// falls no further. Chirality is resolved last. Each result once.
 std::vector<GlobalCost::Assignment> Descend(const GlobalCost& cost, const TerminalPaths& target,
   const std::vector<GlobalCost::Assignment>& starts);
 }

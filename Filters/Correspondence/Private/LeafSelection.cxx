@@ -14,7 +14,10 @@ namespace marrow
 {
 namespace
 {
+/// Leaves that the local search starts from; work is bounded by it, and most end in the same places.
 constexpr std::size_t MaximumStarts = 12;
+/// Weights of the share of the surface and of the length that is not matched, beside the cost of the
+/// terminals; chosen on labelled meshes with the weights of GlobalCost.
 constexpr double SurfaceWeight = 0.3;
 constexpr double CoverageWeight = 0.1;
 
@@ -32,6 +35,7 @@ double Coverage(const FeatureGraph& graph, const FeatureCorrespondence& match,
 /// The surface along a path: the integral of MSP, in the units of the graph.
 double SurfaceOf(const FeatureGraph& graph, const std::vector<int>& darts)
 {
+  /// Of the sum that stands for the integral; a branch has hardly more bulges.
   constexpr int pieces = 16;
   double surface = 0.0;
   for (const int dart : darts)
@@ -112,7 +116,7 @@ void AddPaperCosts(std::vector<RatedLeaf>& leaves)
   }
 }
 
-/// What a leaf matches with what, in whatever order and direction: equal for leaves that say the same.
+/// Order-independent key of a matching, to find leaves that match the same.
 using Statement = std::set<std::vector<std::vector<int>>>;
 
 Statement StatementOf(const FeatureCorrespondence& match)
@@ -189,6 +193,7 @@ std::vector<RatedLeaf> RefineLeaves(const TerminalPaths& source, const TerminalP
 void MatchWhatCarriesTwins(const TerminalPaths& paths, std::vector<int> MatchedBranches::*path,
   FeatureGroup MatchedNodes::*group, FeatureCorrespondence& match)
 {
+  /// Terminals of at least this similarity in their own skeleton are a pair.
   constexpr double twins = 0.5;
   const FeatureGraph& graph = paths.Graph();
   std::set<int> matched;
@@ -271,6 +276,8 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
 
 double Confidence(const RatedLeaf& leaf)
 {
+  /// The cost at which half of the terminals are right, and how fast that changes: a logistic regression on
+  /// labelled meshes.
   constexpr double even = 0.62;
   constexpr double width = 0.12;
   // Nothing matched costs most, and is surely no answer.

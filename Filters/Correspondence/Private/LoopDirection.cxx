@@ -6,6 +6,12 @@
 
 namespace marrow
 {
+namespace
+{
+/// Of where branches point, beside how MSP runs along them, which tells the direction of a loop better.
+constexpr double WeightOfDirections = 0.1;
+}
+
 int DirectLoop(const FeatureGraph& source, const FeatureGraph& target,
   const FeatureCorrespondence& match, int nodes, int sourceDart, int targetDart)
 {
@@ -36,10 +42,11 @@ int DirectLoop(const FeatureGraph& source, const FeatureGraph& target,
     }
     Eigen::Matrix3d rotation;
     const bool proper = BestRotation(p, q, rotation);
-    double cost = PathUnlikeness(source, { sourceDart }, target, { dart }) + (proper ? 0.0 : 0.1);
+    double cost = PathUnlikeness(source, { sourceDart }, target, { dart }) +
+      (proper ? 0.0 : WeightOfDirections);
     for (std::size_t i = 0; i < p.size(); ++i)
     {
-      cost += 0.1 * (p[i] - rotation * q[i]).squaredNorm();
+      cost += WeightOfDirections * (p[i] - rotation * q[i]).squaredNorm();
     }
     if (best < 0 || cost < least)
     {

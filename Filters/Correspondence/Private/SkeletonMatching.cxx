@@ -14,7 +14,7 @@ namespace
 {
 /// Every opening tried is a matching of its own.
 constexpr int MaximumOpenings = 4;
-/// An opening has to bring the cost down to this share: with a limb more, some match is always found.
+/// An opening has to bring the cost down to this share: an additional terminal always lowers it a little.
 constexpr double WorthOpening = 0.9;
 
 void MarkNodes(const OpenedSkeleton& skeleton, const FeatureGraph& graph, const FeatureGroup& group,
@@ -186,7 +186,7 @@ bool MatchSkeletons(const Skeleton& source, const Skeleton& target,
   const Skeleton ownTarget = ToFrame(target, FrameOf(target));
   const OpenedSkeleton unopenedSource(ownSource);
   const OpenedSkeleton unopenedTarget(ownTarget);
-  constexpr double share = 0.5;
+  constexpr double share = 0.5; // of the progress, without loops opened
   const int surplus = source.NumberOfLoops() - target.NumberOfLoops();
   const bool opens =
     surplus != 0 && parameters.Method == Matcher::CorrespondenceTree && parameters.GlobalSelection;

@@ -12,6 +12,7 @@ namespace marrow
 {
 namespace
 {
+/// Finer ones would compare noise; the length of a joint is about one.
 constexpr int ProfilePieces = 12;
 /// The middle parts of a path whose straightness is compared: the tips move with the pose.
 constexpr double ChordEnds[] = { 0.2, 0.35 };
@@ -20,6 +21,11 @@ constexpr double TwinTolerance = 0.25;
 /// Where on a terminal's branch points are taken, from the tip on; the second one sees how a foot
 /// stands on its leg.
 constexpr double SampleFractions[] = { 0.0, 0.15, 0.5, 1.0 };
+
+/// How far from the tip MSP is compared, over the mean length of the paths: closer where limbs differ most.
+constexpr double TaperDistances[] = { 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4 };
+/// Fine enough for the distances above.
+constexpr int TaperPieces = 64;
 
 /// Between the inner halves of two terminal branches: the outer halves move with the pose.
 double AngleBetween(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b)
@@ -194,14 +200,13 @@ void TerminalPaths::FindTapers(double scale)
     if (farthest >= 0)
     {
       const Path& path = this->Between(i, farthest);
-      constexpr int pieces = 64;
       const std::vector<double> profile =
-        graph.Profile(path.Darts, FeatureGraph::Measure::MSP, pieces);
-      for (double distance : { 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4 })
+        graph.Profile(path.Darts, FeatureGraph::Measure::MSP, TaperPieces);
+      for (const double distance : TaperDistances)
       {
         // A path without length, as of a skeleton in one place, is all beginning.
-        const double piece = path.Length > 0.0 ? distance * scale / path.Length * pieces : 0.0;
-        taper.push_back(std::sqrt(profile[static_cast<int>(std::min(piece, pieces - 1.0))]));
+        const double piece = path.Length > 0.0 ? distance * scale / path.Length * TaperPieces : 0.0;
+        taper.push_back(std::sqrt(profile[static_cast<int>(std::min(piece, TaperPieces - 1.0))]));
       }
     }
     this->Tapers.push_back(taper);

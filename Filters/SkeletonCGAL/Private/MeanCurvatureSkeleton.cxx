@@ -107,7 +107,9 @@ bool ContractUntilConvergence(
       return true;
     }
     // The change falls about geometrically.
-    done = std::clamp(std::log(change) / std::log(flow.area_variation_factor()), done, 0.95);
+    constexpr double atTheMost =
+      0.95; // of the progress; how many rounds there will be is not known
+    done = std::clamp(std::log(change) / std::log(flow.area_variation_factor()), done, atTheMost);
     if (!Report(progress, done))
     {
       return false;

@@ -160,8 +160,8 @@ std::vector<int> NearPlaces(
 
   std::vector<int> place(mesh.Points.size());
   std::iota(place.begin(), place.end(), 0);
-  // Room for the rounding of the difference itself.
-  const double unit = 1.0625 * RoundingUnit(mesh);
+  constexpr double room = 1.0625; // for the rounding of the difference itself
+  const double unit = room * RoundingUnit(mesh);
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     const int a = candidates[i];

@@ -51,6 +51,18 @@ double AreaOf(const PolygonMesh& mesh, int polygon)
   return 0.5 * area.norm();
 }
 
+/// The cotangent of the angle at `apex`, above 0: a negative one would push shares away.
+double Cotangent(const Eigen::Vector3d& apex, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  constexpr double least = 0.01; // keeps a vertex from hanging on one neighbour alone
+  constexpr double most =
+    20.0; // of an angle of 3 degrees: slivers would couple their vertices rigidly
+  const Eigen::Vector3d u = a - apex;
+  const Eigen::Vector3d v = b - apex;
+  const double sine = u.cross(v).norm();
+  return sine > 0.0 ? std::clamp(u.dot(v) / sine, least, most) : least;
+}
+
 /// The vertices, one for all points at a place, with what the segments have of them.
 class VertexShares
 {
@@ -63,25 +75,20 @@ public:
     for (int p = 0; p < mesh.NumberOfPolygons(); ++p)
     {
       const double area = AreaOf(mesh, p);
-      const int size = mesh.SizeOf(p);
-      for (int k = 0; k < size; ++k)
+      const int* corners = mesh.CornersOf(p);
+      for (int k = 0; k < mesh.SizeOf(p); ++k)
       {
-        const int v = this->Vertex[mesh.CornersOf(p)[k]];
-        const int next = this->Vertex[mesh.CornersOf(p)[(k + 1) % size]];
-        this->OfVertex[v][labels[p]] += area;
-        if (next != v)
-        {
-          this->Neighbors[v].push_back(next);
-          this->Neighbors[next].push_back(v);
-        }
+        this->OfVertex[this->Vertex[corners[k]]][labels[p]] += area;
+      }
+      // A polygon is a fan of triangles here.
+      for (int k = 1; k + 1 < mesh.SizeOf(p); ++k)
+      {
+        this->AddTriangle(mesh, { corners[0], corners[k], corners[k + 1] });
       }
     }
-    for (std::size_t v = 0; v < this->OfVertex.size(); ++v)
+    for (Shares& shares : this->OfVertex)
     {
-      std::vector<int>& neighbors = this->Neighbors[v];
-      std::sort(neighbors.begin(), neighbors.end());
-      neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-      Normalize(this->OfVertex[v]);
+      Normalize(shares);
     }
   }
 
@@ -113,6 +120,25 @@ public:
   double ShareAt(int vertex, int label) const { return ShareOf(this->OfVertex[vertex], label); }
 
 private:
+  /// Cotangent weights, so that on triangles of uneven size and form a straight boundary stays straight.
+  void AddTriangle(const PolygonMesh& mesh, const std::array<int, 3>& corners)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = corners[k];
+      const int b = corners[(k + 1) % 3];
+      const int from = this->Vertex[a];
+      const int to = this->Vertex[b];
+      const double weight =
+        Cotangent(mesh.Points[corners[(k + 2) % 3]], mesh.Points[a], mesh.Points[b]);
+      if (from != to)
+      {
+        this->Neighbors[from].emplace_back(to, weight);
+        this->Neighbors[to].emplace_back(from, weight);
+      }
+    }
+  }
+
   static void Normalize(Shares& shares)
   {
     double total = 0.0;
@@ -145,7 +171,7 @@ private:
       const std::size_t last = band.size();
       for (; first < last; ++first)
       {
-        for (const int neighbor : this->Neighbors[band[first]])
+        for (const auto& [neighbor, weight] : this->Neighbors[band[first]])
         {
           if (!isInBand[neighbor])
           {
@@ -168,17 +194,21 @@ private:
         mean[label] += weight * share;
       }
     };
-    const std::vector<int>& neighbors = this->Neighbors[vertex];
-    add(this->OfVertex[vertex], neighbors.empty() ? 1.0 : 0.5);
-    for (const int neighbor : neighbors)
+    double weights = 0.0;
+    for (const auto& [neighbor, weight] : this->Neighbors[vertex])
     {
-      add(this->OfVertex[neighbor], 0.5 / static_cast<double>(neighbors.size()));
+      weights += weight;
+    }
+    add(this->OfVertex[vertex], weights > 0.0 ? 0.5 : 1.0);
+    for (const auto& [neighbor, weight] : this->Neighbors[vertex])
+    {
+      add(this->OfVertex[neighbor], 0.5 * weight / weights);
     }
     return mean;
   }
 
-  std::vector<int> Vertex; ///< per point
-  std::vector<std::vector<int>> Neighbors;
+  std::vector<int> Vertex;                                    ///< per point
+  std::vector<std::vector<std::pair<int, double>>> Neighbors; ///< with weights; one may come twice
   std::vector<Shares> OfVertex;
 };
 

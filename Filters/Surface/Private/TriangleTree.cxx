@@ -13,6 +13,7 @@ namespace marrow
 {
 namespace
 {
+/// Fewer make the tree deep, more are searched one by one; time alone.
 constexpr int LeafSize = 4;
 /// Triangles in a ball count together from twice its radius on, as the paper of the fast winding
 /// number advises.

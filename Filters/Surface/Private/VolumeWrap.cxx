@@ -95,9 +95,10 @@ TriangleMesh WrapVolume(
     }
   }
   spacing = std::max(spacing, (high - low).maxCoeff() / mostCells);
-  // Room for the drawing at a distance, too.
-  low -= Eigen::Vector3d::Constant(2.5 * spacing);
-  high += Eigen::Vector3d::Constant(2.5 * spacing);
+  // Room for the drawing at a distance, too: one cell on each side, and one and a half for the distance.
+  constexpr double margin = 2.5;
+  low -= Eigen::Vector3d::Constant(margin * spacing);
+  high += Eigen::Vector3d::Constant(margin * spacing);
 
   const TriangleTree tree(mesh, triangles);
   const auto distance = [&](const Eigen::Vector3d& point)
@@ -105,7 +106,8 @@ TriangleMesh WrapVolume(
   // At the opening of a disc of radius R the winding number passes 1/2 at a rate of about 1 / 2R and
   // the distance is R: the product is like a distance there as well. A point on an inner surface has
   // none, and has to count as inside all the same.
-  const double least = 1.0e-6 * spacing;
+  constexpr double perSpacing = 1.0e-6; // far below what the grid can see
+  const double least = perSpacing * spacing;
   const Field windingField = [&](const Eigen::Vector3d& point)
   {
     return -std::max(distance(point), least) *
