@@ -20,7 +20,7 @@ Partner PartnerOf(const GivenCorrespondence& source, const GivenCorrespondence& 
   const CorrespondenceIds ids{ source.Nodes, target.Nodes, source.Branches, target.Branches,
     source.Order, target.Order };
   return { 0,
-    { { JoinChains(sourceSkeleton, targetSkeleton, ids), 0.0, source.Confidence, 0.0 } } };
+    { { JoinChains(sourceSkeleton, targetSkeleton, ids), 0.0, source.Confidence, 0.0, true } } };
 }
 
 struct BodyVertex
@@ -171,7 +171,6 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
   const WorkingSurface& working = target.Surface.Working;
   std::vector<int> labels(working.Mesh.Triangles.size(), 0);
   std::vector<double> confidence(working.Mesh.Triangles.size(), 0.0);
-  double cost = 0.0;
   double wholeArea = 0.0;
   const double size = static_cast<double>(target.Bodies.size());
   for (std::size_t b = 0; b < target.Bodies.size(); ++b)
@@ -210,7 +209,9 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     }
     const Answer& answer = partner.Answers[ofOne.Answer];
     const double area = AreaOf(target.Bodies[b].Mesh);
-    cost += area * answer.CostOfMatch();
+    result.Cost += area * answer.CostOfMatch();
+    result.Against += area * ofOne.Against;
+    result.AnswerConfidence += area * ofOne.AnswerConfidence;
     wholeArea += area;
     const Body& body = target.Surface.Bodies[b];
     for (std::size_t t = 0; t < ofOne.Labels.size(); ++t)
@@ -228,7 +229,10 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }
 
-  result.Cost = wholeArea > 0.0 ? cost / wholeArea : 0.0;
+  for (double* mean : { &result.Cost, &result.Against, &result.AnswerConfidence })
+  {
+    *mean = wholeArea > 0.0 ? *mean / wholeArea : 0.0;
+  }
   CellLabels ofCells = ToCells(target.Surface, labels, confidence);
   result.Labels = std::move(ofCells.Labels);
   result.Confidence = std::move(ofCells.Confidence);

@@ -29,6 +29,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSegmentationTransfer);
@@ -289,10 +290,15 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   // Viewers prefer point scalars to cell scalars.
   output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
-  vtkNew<vtkDoubleArray> cost;
-  cost->SetName(marrow::names::MatchingCost);
-  cost->InsertNextValue(result.Cost);
-  output->GetFieldData()->AddArray(cost);
+  for (const auto& [arrayName, value] : { std::pair{ marrow::names::MatchingCost, result.Cost },
+         std::pair{ marrow::names::MatchingEvidence, result.Against },
+         std::pair{ marrow::names::MatchingConfidence, result.AnswerConfidence } })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(arrayName);
+    array->InsertNextValue(value);
+    output->GetFieldData()->AddArray(array);
+  }
   output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
   if (vtkAbstractArray* segmentNames =
         sourceMesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName))

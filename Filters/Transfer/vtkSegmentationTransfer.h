@@ -31,7 +31,7 @@
  * Any other segment that lies on branches without a partner is not guessed: its faces join the
  * neighbour and a warning names it. If the skeletons have no matched branch at all, or bring the
  * surfaces together no better than their principal axes do (a bust, a machine part), the meshes are
- * aligned as wholes, with a warning and half the confidence (at most 0.1 where nothing is matched).
+ * aligned as wholes, with a warning.
  *
  * Any mesh will do. The method runs on the working surfaces of both meshes (vtkWorkingSurface, of at most
  * vtkMSPSkeleton's MaximumFaces), each body in its canonical frame, and the segments go back to the cells
@@ -72,12 +72,15 @@
  * Ports out:
  * - 0, the target mesh, its points, cells and arrays as they were, with the cell arrays
  *   - SegmentId (int): the segment, -1 for none; replaces an array of that name, and is the only active scalars;
- *   - SegmentConfidence (double in [0,1]): the product of the correspondence's confidence, of how
+ *   - SegmentConfidence (double in [0,1]): the product of MatchingConfidence, of how
  *     far the face lies on matched branches (1; 0.75 on parts that are matched on neither side but were
  *     found in the same place; 0.55 on other branches without a partner) and of the share that the
  *     dense correspondence gives the face's segment, which is small near boundaries;
  *   and the field arrays MatchingCost (double, the cost of the correspondence as vtkSkeletonCorrespondence's
  *   GlobalCost, the mean over the area if there are several bodies; 1 where nothing is matched, 0 where the
+ *   skeletons brought their correspondence), MatchingEvidence (double, the sum by which the answer was
+ *   chosen), MatchingConfidence (double in [0,1], how likely it is that the answer brings the right label to
+ *   four fifths of the surface or more, calibrated on labelled meshes; CorrespondenceConfidence where the
  *   skeletons brought their correspondence), and the source's SegmentName (string), if it has one: at i
  *   the name of segment i;
  * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is

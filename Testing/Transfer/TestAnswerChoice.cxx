@@ -56,7 +56,7 @@ MatchedSkeletons MatchEnds(const Tube& source, const Tube& target, bool reversed
 std::size_t Choose(const Tube& source, const Tube& target, const std::vector<Answer>& answers,
   const std::vector<SurfaceHint>& hints = {})
 {
-  return ChooseAnswer(source.Analyzed, target.Analyzed, answers, hints, {}).front();
+  return RankAnswers(source.Analyzed, target.Analyzed, answers, hints, {}).Order.front();
 }
 
 int LowestVertex(const Tube& tube)

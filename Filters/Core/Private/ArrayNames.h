@@ -49,6 +49,8 @@ inline constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
 
 // On a mesh that was labelled as a whole (field data)
 inline constexpr const char* MatchingCost = "MatchingCost";
+inline constexpr const char* MatchingEvidence = "MatchingEvidence";
+inline constexpr const char* MatchingConfidence = "MatchingConfidence";
 inline constexpr const char* SegmentShareId = "SegmentShareId";
 inline constexpr const char* LabellingWeight = "LabellingWeight";
 

@@ -128,16 +128,23 @@ std::vector<std::size_t> RankAnswers(const std::vector<double>& against)
   return order;
 }
 
-std::vector<std::size_t> ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
+double ConfidenceOf(double against, double cost)
+{
+  // Fitted on PLACEHOLDER
+  constexpr double constant = 3.15;
+  constexpr double ofAgainst = -2.4;
+  constexpr double ofCost = 0.0;
+  return 1.0 / (1.0 + std::exp(-(constant + ofAgainst * against + ofCost * cost)));
+}
+
+AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<Answer>& answers, const std::vector<SurfaceHint>& hints,
   const Progress& progress)
 {
-  std::vector<std::size_t> asTheyAre(answers.size());
-  std::iota(asTheyAre.begin(), asTheyAre.end(), 0);
-  if (answers.size() < 2)
-  {
-    return asTheyAre;
-  }
+  AnswerRanking asTheyAre;
+  asTheyAre.Order.resize(answers.size());
+  std::iota(asTheyAre.Order.begin(), asTheyAre.Order.end(), 0);
+  asTheyAre.Against.assign(answers.size(), Evidence().Sum());
   const CoarseMesh coarseSource = Coarsen(source);
   const CoarseMesh coarseTarget = Coarsen(target);
   if (coarseSource.Side.Mesh.Triangles.empty() || coarseTarget.Side.Mesh.Triangles.empty())
@@ -161,6 +168,6 @@ std::vector<std::size_t> ChooseAnswer(const AnalyzedMesh& source, const Analyzed
       0.5 * TryAnswer(coarseSource, coarseTarget, there, answer, coarseHints).Against.Sum() +
       0.5 * TryAnswer(coarseTarget, coarseSource, back, Turned(answer), turnedHints).Against.Sum());
   }
-  return RankAnswers(against);
+  return { RankAnswers(against), against };
 }
 }

@@ -18,8 +18,9 @@ struct Answer
 {
   MatchedSkeletons Match;
   double Cost = 1.0;        ///< by the skeletons alone, some 0 to 1
-  double Confidence = 1.0;  ///< [0,1]
+  double Confidence = 1.0;  ///< [0,1], by the skeletons alone
   double CostOfHints = 0.0; ///< what it does not keep to of the user's hints, by the skeletons
+  bool IsGiven = false;     ///< by the user, with its confidence: not found
 
   /// 1 where nothing is matched, which costs the skeletons nothing.
   double CostOfMatch() const { return this->Match.IsEmpty() ? 1.0 : this->Cost; }
@@ -61,12 +62,24 @@ AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const 
 /// by more than noise.
 std::vector<std::size_t> RankAnswers(const std::vector<double>& against);
 
+/// The answers in the order of their likelihood.
+struct AnswerRanking
+{
+  std::vector<std::size_t> Order; ///< indices, the likeliest first
+  std::vector<double> Against;    ///< per answer the mean of Evidence's sum there and back
+};
+
+/// How likely it is that an answer brings the right label to four fifths of the surface or more, [0,1]: a
+/// logistic function of what is against it and of its cost by the skeletons, fitted to labelled meshes by
+/// Testing/Benchmarks/Segmentation/calibrate.py.
+double ConfidenceOf(double against, double cost);
+
 /// Carries every answer out coarsely, by dense maps between some 1000 points from target to source
 /// and back, and ranks them by what is to be said against them: head and tail, or two fingers, may be
 /// similar in length but not in thickness, and a wrong answer maps much of a surface to one place and
 /// leaves others empty. The four pieces of evidence are of one order, and count alike; hints come before
-/// all of them. Returns the indices, the likeliest first; as they are if `progress` asked to stop.
-std::vector<std::size_t> ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
+/// all of them. The order is as it was if `progress` asked to stop.
+AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target,
   const std::vector<Answer>& answers, const std::vector<SurfaceHint>& hints,
   const Progress& progress);
 }

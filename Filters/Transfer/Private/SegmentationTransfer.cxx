@@ -82,12 +82,8 @@ std::vector<bool> TransferredPieces(const AnalyzedMesh& source, const SegmentPie
 }
 
 void SetConfidence(const AnalyzedMesh& target, const DenseMap& map, const Eigen::MatrixXd& shares,
-  const SegmentPieces& pieces, const Answer& answer, TransferResult& result)
+  const SegmentPieces& pieces, TransferResult& result)
 {
-  // Where nothing is matched there is little to trust; an alignment as wholes knows nothing of parts.
-  const double trust =
-    (answer.Match.IsEmpty() ? std::min(answer.Confidence, 0.2) : answer.Confidence) *
-    (map.IsWholeAlignment ? 0.5 : 1.0);
   result.Confidence.resize(result.Labels.size());
   for (std::size_t t = 0; t < result.Labels.size(); ++t)
   {
@@ -104,8 +100,8 @@ void SetConfidence(const AnalyzedMesh& target, const DenseMap& map, const Eigen:
     {
       certainty += map.Certainty[corner] / 3.0;
     }
-    result.Confidence[t] =
-      std::clamp(trust * (0.5 + 0.5 * certainty) * std::clamp(share, 0.0, 1.0), 0.0, 1.0);
+    result.Confidence[t] = std::clamp(
+      result.AnswerConfidence * (0.5 + 0.5 * certainty) * std::clamp(share, 0.0, 1.0), 0.0, 1.0);
   }
 }
 
@@ -191,8 +187,14 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
   };
-  result.Answer = ChooseAnswer(
-    source, target, answers, guidance.Hints, SubProgress(watched, 0.0, 0.3))[guidance.AnswerIndex];
+  const AnswerRanking ranking =
+    RankAnswers(source, target, answers, guidance.Hints, SubProgress(watched, 0.0, 0.3));
+  result.Answer = ranking.Order[guidance.AnswerIndex];
+  result.Against = ranking.Against[result.Answer];
+  const Answer& answer = answers[result.Answer];
+  result.AnswerConfidence = answer.IsGiven && !answer.Match.IsEmpty()
+    ? answer.Confidence
+    : ConfidenceOf(result.Against, answer.CostOfMatch());
   if (result.IsAborted)
   {
     return result;
@@ -269,7 +271,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.Labels.push_back(
       isKept ? guidance.KeptLabels[t] : pieces.LabelOfPiece[pieceOfTriangle[t]]);
   }
-  SetConfidence(target, map, shares, pieces, answers[result.Answer], result);
+  SetConfidence(target, map, shares, pieces, result);
   SetMissing(numberOfPieces, labels, pieceOfTriangle, result);
   if (!parameters.StrictBoundaries)
   {

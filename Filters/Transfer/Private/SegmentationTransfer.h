@@ -43,6 +43,8 @@ struct TransferResult
   int NumberOfMissingPieces = 0;  ///< pieces of the source without a place on the target
   bool IsWholeAlignment = false; ///< the skeletons were of no use, the meshes are aligned as wholes
   std::size_t Answer = 0;        ///< which answer was taken
+  double Against = 0.0;          ///< what is to be said against it, as Evidence's sum
+  double AnswerConfidence = 0.0; ///< [0,1], in it
   int NumberOfUnmetHints = 0;    ///< that the answer does not keep to
   bool IsAborted = false;
 };

@@ -126,6 +126,10 @@ void MeasureTransfer(const PreparedMesh& source, const PreparedMesh& target,
     throw std::runtime_error("The transfer's output lacks its arrays.");
   }
   result.Values["segment_confidence"] = MeanConfidence(target, confidence);
+  vtkFieldData* whole = transfer->GetOutput()->GetFieldData();
+  result.Values["matching_cost"] = whole->GetArray(names::MatchingCost)->GetTuple1(0);
+  result.Values["matching_evidence"] = whole->GetArray(names::MatchingEvidence)->GetTuple1(0);
+  result.Values["matching_confidence"] = whole->GetArray(names::MatchingConfidence)->GetTuple1(0);
   CompareWithHumans(target, segments, result);
   CompareWithLabels(source, target, segments, result);
 }
@@ -136,10 +140,11 @@ const std::vector<std::string>& PairColumns()
   static const std::vector<std::string> columns = { "label_accuracy", "rand_error",
     "hamming_distance", "missing_rate", "false_alarm_rate", "gce", "lce", "cut_discrepancy",
     "rand_error_to_labels", "boundary_distance_to_labels", "segments_missing",
-    "correspondence_confidence", "segment_confidence", "warnings", "seconds_correspondence",
-    "seconds_transfer", "matched_pairs", "same_label_pairs", "matched_terminals",
-    "same_label_terminals", "judged_pairs", "consistent_pairs", "left_right_flips",
-    "front_back_flips", "feature_nodes", "matched_feature_nodes" };
+    "correspondence_confidence", "segment_confidence", "matching_cost", "matching_evidence",
+    "matching_confidence", "warnings", "seconds_correspondence", "seconds_transfer",
+    "matched_pairs", "same_label_pairs", "matched_terminals", "same_label_terminals",
+    "judged_pairs", "consistent_pairs", "left_right_flips", "front_back_flips", "feature_nodes",
+    "matched_feature_nodes" };
   return columns;
 }
 

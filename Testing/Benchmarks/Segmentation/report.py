@@ -139,6 +139,19 @@ def scatter(pairs, x, y):
     return plot(figure, f"{y} over {x}".replace("_", " "))
 
 
+def reliability(pairs):
+    """Of the matchings of each confidence, how many are right: label accuracy of 0.8 or more."""
+    rows = []
+    for tenth in range(10):
+        right = [pair["label_accuracy"] >= 0.8 for pair in pairs
+                 if min(int(10.0 * pair["matching_confidence"]), 9) == tenth]
+        if right:
+            rows.append(f"<tr><td>{tenth / 10:.1f} to {(tenth + 1) / 10:.1f}</td><td>{len(right)}</td>"
+                        f"<td>{sum(right) / len(right):.2f}</td></tr>")
+    return ("<table><tr><th>confidence in the matching</th><th>pairs</th><th>right</th></tr>"
+            + "".join(rows) + "</table>\n")
+
+
 def worst_pairs(pairs):
     """Those of least label accuracy, a few of each category."""
     measured = sorted((pair for pair in pairs if not math.isnan(pair["label_accuracy"])),
@@ -205,7 +218,8 @@ def main():
             summary, pairs, "label_accuracy", "label accuracy, share of the area")
         sections["Rand error of every pair"] = strips(
             summary, pairs, "rand_error", "Rand error, mean over the humans")
-        sections["Confidence and accuracy"] = scatter(pairs, "segment_confidence", "label_accuracy")
+        sections["Confidence and accuracy"] = (
+            scatter(pairs, "segment_confidence", "label_accuracy") + reliability(pairs))
         sections["Worst pairs"] = pictures(data, results, pairs)
     sections["Errors"] = errors(meshes + pairs)
     method = (results / "method.txt").read_text().strip()
