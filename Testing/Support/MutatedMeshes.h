@@ -188,7 +188,7 @@ inline PolygonMesh MakeMutatedMesh(int seed, std::string& what)
       EXPECT_EQ(ToTriangleMesh(MakeCreature(shape).Mesh, mesh), "");
       // Fewer faces than vtkCreatureSource makes: thousands of such meshes are tried.
       WorkingSurfaceParameters parameters;
-      parameters.MaximumFaces = 400;
+      parameters.MaximumFaces = 200;
       WorkingSurface surface;
       EXPECT_EQ(ComputeWorkingSurface(ToPolygons(mesh), parameters, {}, surface), "");
       meshes.push_back(ToPolygons(surface.Mesh));
