@@ -2,7 +2,8 @@
 # Runs every fuzzer, or those of the named formats, for so many seconds, one after the other:
 #   cmake --preset fuzz && cmake --build --preset fuzz && Testing/Fuzz/run.sh 1800 [FORMAT...]
 # Several formats at a time: start it several times.
-# What is found stays in build-fuzz/corpus and, if it fails, in build-fuzz/failures.
+# What is found stays in build-fuzz/corpus (Testing/Fuzz/add-found.sh takes the best of it) and, if it fails, in
+# build-fuzz/failures.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
