@@ -98,7 +98,7 @@ sed -i '/^void TriangleMesh::BuildConnectivity/,/^}/s|^{|{ int most = 2147483647
   Filters/Core/Private/TriangleMesh.cxx
 expect "undefined behaviour sanitizer" "runtime error: signed integer overflow" run sanitize TestCore
 sed -i 's|    { body(|    { static int calls = 0; ++calls; body(|' Filters/Core/Private/ParallelFor.cxx
-VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4 \
+VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4 TSAN_OPTIONS=halt_on_error=1 \
   expect "thread sanitizer" "WARNING: ThreadSanitizer: data race" run sanitize-thread TestMeasures
 
 cmake --build build >/dev/null
