@@ -95,16 +95,20 @@ def main():
                 return ""
             return run.stdout or run.stderr
 
+        # A finding in a header comes once per source that includes it; it is printed once.
+        seen = set()
+        findings = 0
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            findings = [text for text in pool.map(check, waiting.items()) if text]
-    # A finding in a header comes once per source that includes it.
-    seen = set()
-    for line in "".join(findings).splitlines():
-        if "error:" not in line or line not in seen:
-            print(line)
-        seen.add(line)
+            # As they end: one source that takes a minute holds back no other's findings.
+            for done in concurrent.futures.as_completed(pool.submit(check, item) for item in waiting.items()):
+                text = done.result()
+                findings += bool(text)
+                for line in text.splitlines():
+                    if "error:" not in line or line not in seen:
+                        print(line, flush=True)
+                    seen.add(line)
     if findings:
-        sys.exit(f"clang-tidy: findings in {len(findings)} sources, see above.")
+        sys.exit(f"clang-tidy: findings in {findings} sources, see above.")
 
 
 if __name__ == "__main__":

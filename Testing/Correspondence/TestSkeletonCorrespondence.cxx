@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <random>
 #include <set>
@@ -210,14 +209,13 @@ TEST(SkeletonCorrespondence, MatchesComponentsByWhatTheyAre)
   matched.ExpectSame({ "stick top", "stick end" });
 }
 
-TEST(SkeletonCorrespondence, StaysFastWithManyAlikeArms)
+TEST(SkeletonCorrespondence, KeepsATreeOfManyAlikeArmsSmall)
 {
   SkeletonShape target = MakeStar(8);
   target.Transform(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()).toRotationMatrix());
-  const auto begin = std::chrono::steady_clock::now();
   const Matched matched(MakeStar(8), target);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(time.count(), 1.0);
+  // Each level keeps the best of the 8! ways to match the arms.
+  EXPECT_LE(matched.Field("CorrespondenceTreeNodes"), 1000);
   matched.ExpectSame({ "head" });
   // Any rotation of the arms is fair, but never a reflection: neighbours follow one another.
   std::vector<int> targetArm(8, -1);

@@ -1,14 +1,20 @@
 #!/bin/bash
-# Runs every fuzzer for so many seconds, one after the other:
-#   cmake --preset fuzz && cmake --build --preset fuzz && Testing/Fuzz/run.sh 1800
-# What is found stays in build-fuzz/corpus and, if it fails, in build-fuzz/failures.
+# Runs every fuzzer, or those of the named formats, for so many seconds, one after the other:
+#   cmake --preset fuzz && cmake --build --preset fuzz && Testing/Fuzz/run.sh 1800 [FORMAT...]
+# Several formats at a time: start it several times.
+# What is found stays in build-fuzz/corpus (Testing/Fuzz/add-found.sh takes the best of it) and, if it fails, in
+# build-fuzz/failures.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-seconds=${1:?"usage: Testing/Fuzz/run.sh SECONDS"}
+seconds=${1:?"usage: Testing/Fuzz/run.sh SECONDS [FORMAT...]"}
+formats=("${@:2}")
+if [ ${#formats[@]} -eq 0 ]; then
+  formats=(off ply obj stl seg vtk vtp)
+fi
 failures=build-fuzz/failures
 mkdir -p "$failures"
-for format in off ply obj stl seg vtk vtp; do
+for format in "${formats[@]}"; do
   found=build-fuzz/corpus/$format
   seeds=build-fuzz/seeds/$format
   mkdir -p "$found" "$seeds"

@@ -5,8 +5,11 @@
 #include "SurfaceShapes.h"
 #include "TestMeshes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -40,7 +43,12 @@ inline PolygonMesh Filtered(const PolygonMesh& mesh, const std::function<bool(in
 inline void Mutate(PolygonMesh& mesh, Random& random, std::string& what)
 {
   const int faces = mesh.NumberOfPolygons();
-  switch (Pick(random, 14))
+  if (faces == 0)
+  {
+    // The holes have taken all of it.
+    return;
+  }
+  switch (Pick(random, 15))
   {
     case 0:
       what += " soup";
@@ -62,7 +70,7 @@ inline void Mutate(PolygonMesh& mesh, Random& random, std::string& what)
       break;
     case 3:
       what += " fins";
-      for (int i = 0; i < 5 && faces > 0; ++i)
+      for (int i = 0; i < 5; ++i)
       {
         const int* corners = mesh.CornersOf(Pick(random, faces));
         const int a = corners[0];
@@ -73,7 +81,7 @@ inline void Mutate(PolygonMesh& mesh, Random& random, std::string& what)
       break;
     case 4:
       what += " duplicates";
-      for (int i = 0; i < 10 && faces > 0; ++i)
+      for (int i = 0; i < 10; ++i)
       {
         const int c = Pick(random, faces);
         const int* corners = mesh.CornersOf(c);
@@ -123,7 +131,7 @@ inline void Mutate(PolygonMesh& mesh, Random& random, std::string& what)
       break;
     case 9:
       what += " needles";
-      for (int i = 0; i < 10 && faces > 0; ++i)
+      for (int i = 0; i < 10; ++i)
       {
         const int* corners = mesh.CornersOf(Pick(random, faces));
         mesh.Points[corners[0]] = mesh.Points[corners[1]];
@@ -151,6 +159,11 @@ inline void Mutate(PolygonMesh& mesh, Random& random, std::string& what)
           Eigen::Vector3d(Pick(random, 3) - 1, Pick(random, 3) - 1, Pick(random, 3) - 1);
       }
       break;
+    case 13:
+      what += " NaN";
+      mesh.Points[Pick(random, mesh.NumberOfPoints())][Pick(random, 3)] =
+        std::numeric_limits<double>::quiet_NaN();
+      break;
     default:
       what += " polygons";
       for (int i = 0; i < 10; ++i)
@@ -171,11 +184,14 @@ inline PolygonMesh MakeMutatedMesh(int seed, std::string& what)
       ToPolygons(MakeTorus(3.0, 1.0, 20, 10)), ToPolygons(MakeCylinder(1.0, 5.0, 12, 10)) };
     for (const int shape : { vtkCreatureSource::BIPED, vtkCreatureSource::QUADRUPED })
     {
-      CreatureOptions options;
-      options.Faces = 1000;
       TriangleMesh mesh;
-      EXPECT_EQ(ToTriangleMesh(MakeCreature(shape, options).Mesh, mesh), "");
-      meshes.push_back(ToPolygons(mesh));
+      EXPECT_EQ(ToTriangleMesh(MakeCreature(shape).Mesh, mesh), "");
+      // Fewer faces than vtkCreatureSource makes: thousands of such meshes are tried.
+      WorkingSurfaceParameters parameters;
+      parameters.MaximumFaces = 200;
+      WorkingSurface surface;
+      EXPECT_EQ(ComputeWorkingSurface(ToPolygons(mesh), parameters, {}, surface), "");
+      meshes.push_back(ToPolygons(surface.Mesh));
     }
     return meshes;
   }();
@@ -189,12 +205,26 @@ inline PolygonMesh MakeMutatedMesh(int seed, std::string& what)
   return mesh;
 }
 
-/// How many of them a test tries: MARROW_RANDOM_MESHES, or `usual`.
-inline int NumberOfMutatedMeshes(int usual)
+/// Whether a face has a corner whose coordinates are not numbers: the one defect that no mesh is mended of.
+inline bool HasNaN(const PolygonMesh& mesh)
 {
-  const char* wanted = std::getenv("MARROW_RANDOM_MESHES");
-  return wanted ? std::atoi(wanted) : usual;
+  return std::any_of(mesh.Corners.begin(), mesh.Corners.end(),
+    [&](int corner) { return !mesh.Points[corner].allFinite(); });
 }
+
+/// The seeds that a test tries: MARROW_RANDOM_MESHES many from MARROW_FIRST_RANDOM_MESH on, or `usual` from 0 on.
+struct MutatedMeshSeeds
+{
+  explicit MutatedMeshSeeds(int usual)
+  {
+    const char* count = std::getenv("MARROW_RANDOM_MESHES");
+    const char* first = std::getenv("MARROW_FIRST_RANDOM_MESH");
+    this->First = first ? std::atoi(first) : 0;
+    this->End = this->First + (count ? std::atoi(count) : usual);
+  }
+  int First;
+  int End;
+};
 }
 
 #endif
