@@ -4,7 +4,6 @@
 #include "AnswerPlaces.h"
 #include "AnswerSearch.h"
 #include "SkeletonMap.h"
-#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +81,8 @@ Evidence Judge(
 }
 }
 
-AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
-  const Answer& answer)
+AnswerTrial TryAnswer(
+  const CoarseMesh& source, const CoarseMesh& target, DenseMapper& mapper, const Answer& answer)
 {
   SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
   AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
@@ -122,10 +121,8 @@ std::size_t ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& target,
   {
     return 0;
   }
-  const DenseMapper there(coarseSource.Side, coarseTarget.Side, {},
-    AlignWhole(coarseSource.Side.Mesh, coarseTarget.Side.Mesh));
-  const DenseMapper back(coarseTarget.Side, coarseSource.Side, {},
-    AlignWhole(coarseTarget.Side.Mesh, coarseSource.Side.Mesh));
+  DenseMapper there(coarseSource.Side, coarseTarget.Side, {});
+  DenseMapper back(coarseTarget.Side, coarseSource.Side, {});
   std::vector<double> against;
   for (const Answer& answer : answers)
   {

@@ -46,8 +46,8 @@ struct AnswerTrial
 };
 
 /// `mapper` is that of the two coarse meshes.
-AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
-  const Answer& answer);
+AnswerTrial TryAnswer(
+  const CoarseMesh& source, const CoarseMesh& target, DenseMapper& mapper, const Answer& answer);
 
 /// By the mean of Evidence's sum there and back, per answer: the index of the least; of equals the
 /// first, and the very first if no other is better by more than noise.

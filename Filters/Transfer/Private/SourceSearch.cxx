@@ -20,8 +20,7 @@ SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& 
   this->Centroids.resize(mesh.NumberOfTriangles());
   this->Normals.resize(mesh.NumberOfTriangles());
   this->NodeOfTriangle.resize(mesh.NumberOfTriangles());
-  std::vector<Value> values;
-  values.reserve(mesh.Triangles.size());
+  std::vector<int> findable;
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     this->Centroids[t] = mesh.Centroid(t);
@@ -30,11 +29,10 @@ SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& 
     this->NodeOfTriangle[t] = source.NodeOfVertex[mesh.Triangles[t][0]];
     if (isFindable.empty() || isFindable[t])
     {
-      const Eigen::Vector3d& c = this->Centroids[t];
-      values.emplace_back(Point(c.x(), c.y(), c.z()), t);
+      findable.push_back(t);
     }
   }
-  this->Index = Tree(values.begin(), values.end());
+  this->Index = PointTree(this->Centroids, std::move(findable));
 }
 
 void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
@@ -73,52 +71,93 @@ void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
   }
 }
 
-std::vector<std::pair<double, int>> SourceSearch::Rank(const Query& query) const
+void SourceSearch::UpdateCandidates(const Query& query, Candidates& candidates) const
 {
-  namespace index = boost::geometry::index;
-  constexpr unsigned numberOfCandidates = 16;
-  const Point point(query.Position.x(), query.Position.y(), query.Position.z());
-  // Within a few radii along the skeleton: parts beyond are near in space only by the pose.
-  const double reach = 3.0 * query.Radius;
-  std::vector<Value> found;
-  if (query.Node >= 0)
+  using Entry = std::pair<double, int>;
+  std::array<Entry, Candidates::Most> nearest;
+  int count = 0;
+  const auto search = [&](double squaredReach, bool isAny)
   {
-    const auto isNear = [&](const Value& value)
+    count = 0;
+    this->Index.Search(query.Position, squaredReach,
+      [&](int triangle, double squared)
+      {
+        const bool isFull = count == Candidates::Most;
+        const Entry entry(squared, triangle);
+        if ((!isFull || entry < nearest.back()) && (isAny || this->IsNear(query, triangle)))
+        {
+          int place = isFull ? count - 1 : count;
+          for (; place > 0 && entry < nearest[place - 1]; --place)
+          {
+            nearest[place] = nearest[place - 1];
+          }
+          nearest[place] = entry;
+          count = std::min(count + 1, Candidates::Most);
+        }
+        return count == Candidates::Most ? std::min(squaredReach, nearest.back().first)
+                                         : squaredReach;
+      });
+  };
+
+  double squaredReach = Infinity;
+  bool isAny = false;
+  if (candidates.Count > 0)
+  {
+    // All are near along the skeleton, or none in the whole source is.
+    isAny = !this->IsNear(query, candidates.Triangles.front());
+  }
+  if (candidates.Count == Candidates::Most)
+  {
+    squaredReach = 0.0;
+    for (const int triangle : candidates.Triangles)
     {
-      const int node = this->NodeOfTriangle[value.second];
-      return node < 0 || this->NodeDistance(query.Node, node) <= reach;
-    };
-    this->Index.query(index::nearest(point, numberOfCandidates) && index::satisfies(isNear),
-      std::back_inserter(found));
+      squaredReach =
+        std::max(squaredReach, (this->Centroids[triangle] - query.Position).squaredNorm());
+    }
   }
-  if (found.empty())
+  search(squaredReach, isAny);
+  if (count == 0 && !isAny)
   {
-    this->Index.query(index::nearest(point, numberOfCandidates), std::back_inserter(found));
+    search(Infinity, true);
   }
+  candidates.Count = count;
+  for (int i = 0; i < count; ++i)
+  {
+    candidates.Triangles[i] = nearest[i].second;
+  }
+}
+
+double SourceSearch::CostOf(const Query& query, int triangle) const
+{
+  const int node = this->NodeOfTriangle[triangle];
+  const double along = query.Node >= 0 && node >= 0
+    ? std::min(this->NodeDistance(query.Node, node), Reach(query))
+    : 0.0;
+  return (this->Centroids[triangle] - query.Position).squaredNorm() + 0.1 * along * along +
+    0.5 * query.Radius * query.Radius * (1.0 - this->Normals[triangle].dot(query.Normal));
+}
+
+int SourceSearch::Best(const Query& query, const Candidates& candidates) const
+{
+  std::pair<double, int> best(Infinity, -1);
+  for (int i = 0; i < candidates.Count; ++i)
+  {
+    const int triangle = candidates.Triangles[i];
+    best = std::min(best, { this->CostOf(query, triangle), triangle });
+  }
+  return best.second;
+}
+
+std::vector<std::pair<int, double>> SourceSearch::Weigh(
+  const Query& query, const Candidates& candidates) const
+{
   std::vector<std::pair<double, int>> costs;
-  for (const Value& value : found)
+  for (int i = 0; i < candidates.Count; ++i)
   {
-    const int t = value.second;
-    const int node = this->NodeOfTriangle[t];
-    const double along =
-      query.Node >= 0 && node >= 0 ? std::min(this->NodeDistance(query.Node, node), reach) : 0.0;
-    costs.emplace_back((this->Centroids[t] - query.Position).squaredNorm() + 0.1 * along * along +
-        0.5 * query.Radius * query.Radius * (1.0 - this->Normals[t].dot(query.Normal)),
-      t);
+    const int triangle = candidates.Triangles[i];
+    costs.emplace_back(this->CostOf(query, triangle), triangle);
   }
   std::sort(costs.begin(), costs.end());
-  return costs;
-}
-
-int SourceSearch::Find(const Query& query) const
-{
-  const auto costs = this->Rank(query);
-  return costs.empty() ? -1 : costs.front().second;
-}
-
-std::vector<std::pair<int, double>> SourceSearch::FindSeveral(const Query& query) const
-{
-  const auto costs = this->Rank(query);
   const double width = std::max(0.1 * query.Radius, 1e-300);
   std::vector<std::pair<int, double>> found;
   double total = 0.0;
