@@ -19,7 +19,8 @@ public:
   PointTree(const std::vector<Eigen::Vector3d>& points, std::vector<int> numbers);
 
   /// Calls visit(number, squared distance) for every point within the reach, and some beyond it, the
-  /// nearer parts of the tree first. The reach is what the last call returned, `squaredReach` at first.
+  /// nearer parts of the tree first. The reach is what the last call returned, `squaredReach` at first. A
+  /// place that is not a number is as near to all.
   template <typename Visit>
   void Search(const Eigen::Vector3d& place, double squaredReach, Visit&& visit) const
   {
@@ -53,7 +54,7 @@ private:
       for (int i = node.Begin; i < node.End; ++i)
       {
         const double squared = (this->Points[i] - place).squaredNorm();
-        if (squared <= squaredReach)
+        if (!(squared > squaredReach))
         {
           squaredReach = visit(this->Numbers[i], squared);
         }
@@ -64,7 +65,7 @@ private:
     this->Descend(beyond < 0.0 ? at + 1 : node.Second, place, off, squaredReach, visit);
     Eigen::Vector3d offOther = off;
     offOther[node.Axis] = beyond;
-    if (offOther.squaredNorm() <= squaredReach)
+    if (!(offOther.squaredNorm() > squaredReach))
     {
       this->Descend(beyond < 0.0 ? node.Second : at + 1, place, offOther, squaredReach, visit);
     }

@@ -11,6 +11,7 @@ namespace marrow
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+using Entry = std::pair<double, int>; ///< squared distance or cost, triangle
 }
 
 SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& isFindable)
@@ -40,7 +41,6 @@ void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
   this->NumberOfNodes = skeleton.NumberOfNodes();
   this->NodeDistances.assign(
     static_cast<std::size_t>(this->NumberOfNodes) * this->NumberOfNodes, Infinity);
-  using Entry = std::pair<double, int>;
   for (int start = 0; start < this->NumberOfNodes; ++start)
   {
     double* distance =
@@ -71,60 +71,71 @@ void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
   }
 }
 
-void SourceSearch::UpdateCandidates(const Query& query, Candidates& candidates) const
+void SourceSearch::FindCandidates(
+  const Query& query, double squaredReach, bool isAny, Candidates& candidates) const
 {
-  using Entry = std::pair<double, int>;
-  std::array<Entry, Candidates::Most> nearest;
+  std::array<Entry, Candidates::MostKnown> nearest;
   int count = 0;
-  const auto search = [&](double squaredReach, bool isAny)
-  {
-    count = 0;
-    this->Index.Search(query.Position, squaredReach,
-      [&](int triangle, double squared)
-      {
-        const bool isFull = count == Candidates::Most;
-        const Entry entry(squared, triangle);
-        if ((!isFull || entry < nearest.back()) && (isAny || this->IsNear(query, triangle)))
-        {
-          int place = isFull ? count - 1 : count;
-          for (; place > 0 && entry < nearest[place - 1]; --place)
-          {
-            nearest[place] = nearest[place - 1];
-          }
-          nearest[place] = entry;
-          count = std::min(count + 1, Candidates::Most);
-        }
-        return count == Candidates::Most ? std::min(squaredReach, nearest.back().first)
-                                         : squaredReach;
-      });
-  };
-
-  double squaredReach = Infinity;
-  bool isAny = false;
-  if (candidates.Count > 0)
-  {
-    // All are near along the skeleton, or none in the whole source is.
-    isAny = !this->IsNear(query, candidates.Triangles.front());
-  }
-  if (candidates.Count == Candidates::Most)
-  {
-    squaredReach = 0.0;
-    for (const int triangle : candidates.Triangles)
+  this->Index.Search(query.Position, squaredReach,
+    [&](int triangle, double squared)
     {
-      squaredReach =
-        std::max(squaredReach, (this->Centroids[triangle] - query.Position).squaredNorm());
-    }
-  }
-  search(squaredReach, isAny);
-  if (count == 0 && !isAny)
-  {
-    search(Infinity, true);
-  }
-  candidates.Count = count;
+      const bool isFull = count == Candidates::MostKnown;
+      const Entry entry(squared, triangle);
+      if ((!isFull || entry < nearest.back()) && (isAny || this->IsNear(query, triangle)))
+      {
+        int place = isFull ? count - 1 : count++;
+        for (; place > 0 && entry < nearest[place - 1]; --place)
+        {
+          nearest[place] = nearest[place - 1];
+        }
+        nearest[place] = entry;
+      }
+      return count == Candidates::MostKnown ? std::min(squaredReach, nearest.back().first)
+                                            : squaredReach;
+    });
   for (int i = 0; i < count; ++i)
   {
     candidates.Triangles[i] = nearest[i].second;
   }
+  candidates.CountKnown = count;
+  candidates.Count = std::min(count, Candidates::Most);
+  candidates.Center = query.Position;
+  candidates.Radius = count == Candidates::MostKnown ? std::sqrt(nearest.back().first) : Infinity;
+}
+
+void SourceSearch::UpdateCandidates(const Query& query, Candidates& candidates) const
+{
+  if (candidates.CountKnown == 0)
+  {
+    this->FindCandidates(query, Infinity, query.Node < 0, candidates);
+    if (candidates.CountKnown == 0)
+    {
+      this->FindCandidates(query, Infinity, true, candidates);
+    }
+    return;
+  }
+  std::array<Entry, Candidates::MostKnown> known;
+  const auto end = known.begin() + candidates.CountKnown;
+  for (int i = 0; i < candidates.CountKnown; ++i)
+  {
+    const int triangle = candidates.Triangles[i];
+    known[i] = { (this->Centroids[triangle] - query.Position).squaredNorm(), triangle };
+  }
+  const auto last = known.begin() + candidates.Count - 1;
+  std::nth_element(known.begin(), last, end);
+  // By the triangle inequality; the factor is for the rounding.
+  const double moved = (query.Position - candidates.Center).norm();
+  if (std::sqrt(last->first) < (candidates.Radius - moved) * (1.0 - 1e-9))
+  {
+    for (int i = 0; i < candidates.CountKnown; ++i)
+    {
+      candidates.Triangles[i] = known[i].second;
+    }
+    return;
+  }
+  // All of them are near along the skeleton, or none of the whole source is.
+  const bool isAny = !this->IsNear(query, candidates.Triangles.front());
+  this->FindCandidates(query, std::max_element(known.begin(), end)->first, isAny, candidates);
 }
 
 double SourceSearch::CostOf(const Query& query, int triangle) const
@@ -139,11 +150,12 @@ double SourceSearch::CostOf(const Query& query, int triangle) const
 
 int SourceSearch::Best(const Query& query, const Candidates& candidates) const
 {
-  std::pair<double, int> best(Infinity, -1);
+  Entry best(Infinity, -1);
   for (int i = 0; i < candidates.Count; ++i)
   {
     const int triangle = candidates.Triangles[i];
-    best = std::min(best, { this->CostOf(query, triangle), triangle });
+    const Entry entry(this->CostOf(query, triangle), triangle);
+    best = i == 0 ? entry : std::min(best, entry);
   }
   return best.second;
 }

@@ -26,15 +26,20 @@ public:
     int Node = -1;       ///< of the source's skeleton; -1 does not care
     double Radius = 0.0; ///< the scale by which normals and nodes are weighed against distance
   };
-  /// The nearest triangles near along the skeleton, or of all if there are none, in no order.
+  /// The nearest triangles near along the skeleton, or of all if there are none, in no order. Some beyond
+  /// them are known too: a query that has moved less than these are farther off finds the nearest among them.
   struct Candidates
   {
     static constexpr int Most = 16;
-    std::array<int, Most> Triangles;
+    static constexpr int MostKnown = 32;
+    std::array<int, MostKnown> Triangles; ///< the nearest are the first
     int Count = 0;
+    int CountKnown = 0;
+    Eigen::Vector3d Center = Eigen::Vector3d::Zero(); ///< where they were searched
+    double Radius = 0.0;                              ///< no other is nearer to the centre
   };
-  /// `candidates` are none, or those of a query with the same node and radius: how far they are now bounds
-  /// the search, so that a query that moved a little takes little. The result is the same.
+  /// `candidates` are none, or those of a query with the same node and radius: one that moved a little takes
+  /// little. The result is the same.
   void UpdateCandidates(const Query& query, Candidates& candidates) const;
   /// The best of a query's candidates; -1 if there is none.
   int Best(const Query& query, const Candidates& candidates) const;
@@ -59,6 +64,8 @@ private:
   /// Within a few radii along the skeleton: parts beyond are near in space only by the pose.
   static double Reach(const Query& query) { return 3.0 * query.Radius; }
   double CostOf(const Query& query, int triangle) const;
+  void FindCandidates(
+    const Query& query, double squaredReach, bool isAny, Candidates& candidates) const;
 
   int NumberOfNodes = 0;
   std::vector<double> NodeDistances;
