@@ -105,7 +105,7 @@ Samples FarthestPointSamples(const TriangleMesh& mesh, const std::vector<int>& o
   return samples;
 }
 
-/// Sources of one sweep should lie close together: they are taken in breadth-first order.
+/// Sources of one sweep should lie close together: they are taken in the solver's order.
 std::vector<std::vector<int>> Batches(const std::vector<int>& sources)
 {
   std::vector<std::vector<int>> batches;
