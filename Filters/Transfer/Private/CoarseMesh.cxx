@@ -40,8 +40,8 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
   Cells cells;
   cells.CellOfVertex.assign(n, -1);
   std::vector<double> distance(n, infinity);
-  // Far vertices first, of those not reached yet the outermost; an entry holds as long as the
-  // distance has not changed since.
+  // Far vertices first, of those not reached yet the outermost. An entry may be out of date, but distances
+  // only fall: one that comes up too early goes back to where it belongs.
   std::priority_queue<std::tuple<double, double, int>> far;
   for (int v = 0; v < n; ++v)
   {
@@ -55,9 +55,14 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
     const double away = std::get<0>(far.top());
     const int start = std::get<2>(far.top());
     far.pop();
-    if (away != distance[start] || away == 0.0)
+    if (away != distance[start])
     {
+      far.push({ distance[start], 0.0, start });
       continue;
+    }
+    if (away == 0.0)
+    {
+      break;
     }
     const int cell = static_cast<int>(cells.Samples.size());
     cells.Samples.push_back(start);
@@ -73,7 +78,6 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
         continue;
       }
       cells.CellOfVertex[v] = cell;
-      far.push({ reached, 0.0, v });
       mesh.ForEachNeighbor(v,
         [&, from = v, base = reached](int next)
         {
