@@ -14,7 +14,7 @@ namespace marrow
 {
 struct WorkingSurfaceParameters
 {
-  int MaximumFaces = 60000;
+  int MaximumFaces = 30000;
 };
 
 /// The oriented manifold on which the method runs, and what it has to do with the mesh it was made of.
