@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoarseMesh.h"
 
+#include "VertexGraph.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +39,7 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
   {
     center += point / n;
   }
+  const VertexGraph graph(mesh);
   Cells cells;
   cells.CellOfVertex.assign(n, -1);
   std::vector<double> distance(n, infinity);
@@ -78,10 +81,10 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
         continue;
       }
       cells.CellOfVertex[v] = cell;
-      mesh.ForEachNeighbor(v,
-        [&, from = v, base = reached](int next)
+      graph.ForEachEdge(v,
+        [&, base = reached](int next, double length)
         {
-          const double sum = base + (mesh.Points[next] - mesh.Points[from]).norm();
+          const double sum = base + length;
           if (sum < distance[next])
           {
             distance[next] = sum;
