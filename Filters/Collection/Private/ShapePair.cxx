@@ -4,7 +4,6 @@
 #include "AnswerPlaces.h"
 #include "AnswerSearch.h"
 #include "DenseMap.h"
-#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <istream>
@@ -77,8 +76,8 @@ bool ShapePair::FindAnswers(const Progress& progress)
   {
     const CollectionShape& source = *this->Shapes[1 - side];
     const CollectionShape& target = *this->Shapes[side];
-    const DenseMapper mapper(source.Coarse.Side, target.Coarse.Side, source.CoarseSearch,
-      target.CoarseSmoother, AlignWhole(source.Fine.Mesh, target.Fine.Mesh));
+    DenseMapper mapper(
+      source.Coarse.Side, target.Coarse.Side, source.CoarseSearch, target.CoarseSmoother);
     for (std::size_t a = 0; a < tried.size(); ++a)
     {
       const double done = (side + static_cast<double>(a) / tried.size()) / 2.0;
@@ -134,8 +133,7 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   const Answer seen = side == 1 ? this->Answers[answer] : Turned(this->Answers[answer]);
   SkeletonMap skeletonMap(source, target, seen.Match);
   AlignWithLandmarks(source, target, seen.Match, {}, skeletonMap);
-  const DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother),
-    AlignWhole(source.Mesh, target.Mesh));
+  DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother));
   bool isStopped = false;
   const DenseMap map = mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(),
     [&](double fraction)

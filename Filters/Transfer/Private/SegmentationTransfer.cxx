@@ -13,7 +13,6 @@
 #include "SegmentLoops.h"
 #include "SkeletonMap.h"
 #include "StrictBoundaries.h"
-#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <map>
@@ -240,8 +239,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     isFindable.push_back(isTransferred[piece]);
   }
-  const DenseMapper mapper(
-    source, target, isFindable, AlignWhole(source.Mesh, target.Mesh, guidance.Hints));
+  DenseMapper mapper(source, target, isFindable, guidance.Hints);
   const DenseMap map = mapper.Map(places, anyMatched, SubProgress(watched, 0.5, 0.8));
   if (!watched(0.8))
   {
