@@ -64,6 +64,7 @@ struct SideTransferResult
   double AnswerConfidence = 0.0; ///< in the matching, likewise; [0,1]
   bool IsMatched = true;         ///< every body has a matched branch
   bool IsWholeAlignment = false; ///< some body is aligned as a whole
+  std::vector<std::string> MatchedBy; ///< per body "skeletons", "slices" or "whole"
   int NumberOfUnmetHints = 0;
   std::string Error; ///< one sentence on a guidance that cannot be followed, or empty
 };

@@ -191,7 +191,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   result.Answer = ranking.Order[guidance.AnswerIndex];
   result.Against = ranking.Against[result.Answer];
   const Answer& answer = answers[result.Answer];
-  result.AnswerConfidence = answer.IsGiven && !answer.Match.IsEmpty()
+  result.AnswerConfidence = answer.IsGiven && !answer.IsEmpty()
     ? answer.Confidence
     : ConfidenceOf(result.Against, answer.CostOfMatch());
   if (result.IsAborted)
@@ -240,12 +240,15 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     isFindable.push_back(isTransferred[piece]);
   }
   DenseMapper mapper(source, target, isFindable, guidance.Hints);
-  const DenseMap map = mapper.Map(places, anyMatched, SubProgress(watched, 0.5, 0.8));
+  const Progress ofMap = SubProgress(watched, 0.5, 0.8);
+  const auto& slices = answers[result.Answer].Slices;
+  const DenseMap map = slices ? mapper.Map(*slices, ofMap) : mapper.Map(places, anyMatched, ofMap);
   if (!watched(0.8))
   {
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
+  result.IsBySlices = slices.has_value();
   result.NumberOfUnmetHints = NumberOfUnmetHints(source, guidance.Hints, map.FoundTriangles);
   const double width = WidthFor(map);
   const MeshSmoother blend(target.Mesh, width * target.Diagonal());

@@ -81,7 +81,9 @@ void SourceSearch::FindCandidates(
     {
       const bool isFull = count == Candidates::MostKnown;
       const Entry entry(squared, triangle);
-      if ((!isFull || entry < nearest.back()) && (isAny || this->IsNear(query, triangle)))
+      const bool isAllowed =
+        (!query.Among || (*query.Among)[triangle]) && (isAny || this->IsNear(query, triangle));
+      if ((!isFull || entry < nearest.back()) && isAllowed)
       {
         int place = isFull ? count - 1 : count++;
         for (; place > 0 && entry < nearest[place - 1]; --place)
@@ -183,5 +185,13 @@ std::vector<std::pair<int, double>> SourceSearch::Weigh(
     entry.second /= total;
   }
   return found;
+}
+
+double SourceSearch::Misfit(const Query& query, int triangle, double scale) const
+{
+  const double squared =
+    (this->Centroids[triangle] - query.Position).squaredNorm() / (scale * scale);
+  const double turn = 1.0 - this->Normals[triangle].dot(query.Normal);
+  return std::min(1.0, squared + 0.5 * turn);
 }
 }

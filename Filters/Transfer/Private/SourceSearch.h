@@ -6,6 +6,7 @@
 #include "PointTree.h"
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,8 @@ public:
     Eigen::Vector3d Normal = Eigen::Vector3d::Zero();
     int Node = -1;       ///< of the source's skeleton; -1 does not care
     double Radius = 0.0; ///< the scale by which normals and nodes are weighed against distance
+    /// Per triangle, whether it may be found; null: as far as the rest allows, all.
+    std::shared_ptr<const std::vector<bool>> Among;
   };
   /// The nearest triangles near along the skeleton, or of all if there are none, in no order. Some beyond
   /// them are known too: a query that has moved less than these are farther off finds the nearest among them.
@@ -45,6 +48,10 @@ public:
   int Best(const Query& query, const Candidates& candidates) const;
   /// All of them, the best first, with weights that sum to 1 and fall with what they are worse.
   std::vector<std::pair<int, double>> Weigh(const Query& query, const Candidates& candidates) const;
+
+  /// How far a query is from a triangle: the squared distance over that of `scale`, and how far the
+  /// normal deviates, [0,1].
+  double Misfit(const Query& query, int triangle, double scale) const;
 
   const Eigen::Vector3d& Centroid(int triangle) const { return this->Centroids[triangle]; }
   const Eigen::Vector3d& Normal(int triangle) const { return this->Normals[triangle]; }
