@@ -6,7 +6,7 @@ failed=0
 
 # Algorithms are plain C++: in a Private folder only Core's bridges know VTK.
 if grep -rnE '#include [<"]vtk' Filters/*/Private Rendering/Private |
-  grep -vE '^Filters/Core/Private/(MeshBridge|SkeletonBridge|LabelBridge|FilterSupport|ParallelFor|VTKVersions)\.(h|cxx):'; then
+  grep -vE '^Filters/Core/Private/(HintBridge|MeshBridge|SkeletonBridge|LabelBridge|FilterSupport|ParallelFor|VTKVersions)\.(h|cxx):'; then
   echo "VTK is included in the algorithm layer: see above." >&2
   failed=1
 fi

@@ -40,7 +40,7 @@ def sources():
 
 def statements(lines):
     """(first line, code without comments, comment behind or above) of each line; a constexpr whole."""
-    above, index = "", 0
+    above, index, is_used = "", 0, False
     while index < len(lines):
         first = index
         code, _, behind = lines[index].partition("//")
@@ -50,9 +50,11 @@ def statements(lines):
                 more, _, comment = lines[index].partition("//")
                 code, behind = code + " " + more.strip(), behind + comment
         if not code.strip():
-            above = (above + " " + behind.lstrip("/<! ")).strip() if behind else ""
+            above = ("" if is_used else above) + " " + behind.lstrip("/<! ") if behind else ""
+            is_used = False
         else:
-            yield first + 1, code, behind.lstrip("/<! ").strip(), above
+            yield first + 1, code, behind.lstrip("/<! ").strip(), above.strip()
+            is_used = True
             if not re.search(r"\bconstexpr\b", code):
                 above = ""
         index += 1
@@ -77,7 +79,9 @@ def read(name):
             continue  # stands for none
         is_default = found and "constexpr" not in code
         if found and LITERAL.search(value) and not (is_default and is_structural(value)):
-            named.append((line, found.group(1), value, behind or above))
+            why = behind or above
+            if not why.startswith("of the progress"):
+                named.append((line, found.group(1), value, why))
         elif not PROGRESS.search(code):
             bare += [(line, x) for x in LITERAL.findall(code) if not is_structural(x)]
     return named, bare

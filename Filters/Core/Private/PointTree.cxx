@@ -9,6 +9,7 @@ namespace marrow
 {
 namespace
 {
+/// Fewer make the tree deep, more are looked at one by one; time alone.
 constexpr int PointsOfLeaf = 8;
 
 std::vector<int> AllNumbers(std::size_t size)

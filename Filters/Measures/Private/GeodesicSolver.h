@@ -25,6 +25,7 @@ namespace marrow
 class GeodesicSolver
 {
 public:
+  /// Sources that are swept at a time: a cache line of two; time alone.
   static constexpr int Lanes = 16;
 
   explicit GeodesicSolver(const TriangleMesh& mesh);

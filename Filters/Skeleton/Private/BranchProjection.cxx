@@ -8,6 +8,7 @@ namespace marrow
 BranchProjection ProjectNear(
   const Eigen::Vector3d& point, const Skeleton& skeleton, const Branch& branch, int step)
 {
+  /// Segments that a step may jump over: more would take short cuts through bends.
   constexpr int Reach = 3;
   const int firstSegment = std::max(0, step - Reach);
   const int lastSegment = std::min(static_cast<int>(branch.Nodes.size()) - 2, step + Reach - 1);

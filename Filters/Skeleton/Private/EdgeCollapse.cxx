@@ -11,6 +11,7 @@ namespace marrow
 {
 namespace
 {
+/// Of the sampling cost beside the shape cost, as in Au et al. 2008.
 constexpr double SamplingWeight = 0.1;
 /// A loop that may be closed is short against the perimeter of the part it goes around: on the shrunk
 /// mesh a loop around a tube has nearly no length, one through a hole at least the hole's own.

@@ -71,7 +71,10 @@ double ClampedCotangent(const TriangleMesh& mesh, int halfEdge)
   const Eigen::Vector3d b = mesh.Points[mesh.To(halfEdge)] - apex;
   const double sine = a.cross(b).norm();
   const double cotangent = sine > 0.0 ? a.dot(b) / sine : 0.0;
-  return std::clamp(cotangent, 0.05, 20.0);
+  constexpr double least = 0.05; // keeps a vertex from hanging on one neighbour alone
+  constexpr double most =
+    20.0; // of an angle of 3 degrees: slivers would couple their vertices rigidly
+  return std::clamp(cotangent, least, most);
 }
 }
 
@@ -126,8 +129,10 @@ std::vector<Eigen::Vector3d> ShrinkMesh(const TriangleMesh& mesh, const std::vec
   // The smoothing is local, so a few dozen steps of conjugate gradients reach far below what the
   // slices themselves are worth.
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-6);
-  solver.setMaxIterations(500);
+  constexpr double tolerance = 1e-6;  // far below what the collapse can see
+  constexpr int mostIterations = 500; // only a bound; some 50 are needed
+  solver.setTolerance(tolerance);
+  solver.setMaxIterations(mostIterations);
   solver.compute(matrix);
   const Eigen::MatrixX3d solution = solver.solveWithGuess(right, start);
 

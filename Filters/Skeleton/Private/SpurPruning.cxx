@@ -14,7 +14,9 @@ namespace marrow
 {
 namespace
 {
+/// A limb stands out by more than its radius times this: less is a bump of the surface.
 constexpr double LimbProminence = 1.25;
+/// Lengths within this factor of each other are limbs of one size, among which the gap is looked for.
 constexpr double Window = 1.6;
 
 /// A terminal branch that ends at a junction.
@@ -72,6 +74,7 @@ public:
 
   const std::vector<int>& GetRemovedLimb() const { return this->RemovedLimb; }
 
+  /// Stands for no bound.
   static constexpr int AsManyAsPossible = 1 << 30;
 
 private:

@@ -55,9 +55,9 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
 
 bool NearestDownhill::IsBeyond(const Eigen::Vector3d& point, int triangle, double squared) const
 {
-  // The factor is more than rounding can take away.
   const Ball& ball = this->Balls[triangle];
-  const double reach = (ball.Radius + std::sqrt(squared)) * (1.0 + 1e-6);
+  constexpr double withRounding = 1.0 + 1e-6; // more than rounding can take away
+  const double reach = (ball.Radius + std::sqrt(squared)) * withRounding;
   return (point - ball.Center).squaredNorm() > reach * reach;
 }
 

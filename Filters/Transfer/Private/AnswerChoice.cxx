@@ -31,7 +31,7 @@ Evidence Judge(
   {
     surplus[source.Patches[v]] -= source.Shares[v];
   }
-  constexpr double least = 1e-9;
+  constexpr double least = 1e-9; // a logarithm of nothing would outweigh all else
   // The log of MSP here over MSP there, with the share of the area.
   std::vector<std::pair<double, double>> ratios;
   for (std::size_t v = 0; v < target.Shares.size(); ++v)

@@ -79,7 +79,8 @@ std::vector<Eigen::Vector3d> Correspond(const std::vector<Eigen::Vector3d>& sour
 {
   const ClosedLine source(sourcePoints);
   const ClosedLine target(targetPoints);
-  constexpr int numberOfStarts = 64;
+  constexpr int numberOfStarts =
+    64; // that are tried for points to correspond: some 6 degrees apart
   double least = std::numeric_limits<double>::infinity();
   double bestStart = 0.0;
   for (int k = 0; k < numberOfStarts; ++k)

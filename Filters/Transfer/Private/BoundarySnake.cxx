@@ -10,6 +10,7 @@ namespace marrow
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// Places that a point may move to in one step; work grows with the square.
 constexpr std::size_t MostCandidates = 9;
 
 struct Snaxel

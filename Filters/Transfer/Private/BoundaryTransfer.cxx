@@ -14,6 +14,7 @@ namespace marrow
 {
 namespace
 {
+/// Around the branch, that find the surface where a boundary is to go: 22.5 degrees apart.
 constexpr int NumberOfRays = 16;
 
 /// The longest geodesic distance, from below: from any vertex to the farthest, and on from there.
@@ -165,7 +166,8 @@ BoundaryTransfer::SourceLoop BoundaryTransfer::Describe(
   result.Vertices = loop.Vertices(mesh);
   result.EdgeLength = EdgeLengthAround(mesh, result.Vertices);
   result.Plane = FitPlane(mesh, result.Vertices);
-  const double reach = std::max(result.Plane.Radius, 0.05 * chain.Length());
+  constexpr double leastReach = 0.05; // of the chain: the tangent of a shorter piece is noise
+  const double reach = std::max(result.Plane.Radius, leastReach * chain.Length());
   if (result.Plane.Normal.dot(TangentOfChain(this->Source.Skeleton, chain, seat.Ratio, reach)) <
     0.0)
   {
@@ -229,8 +231,9 @@ std::optional<BoundaryTransfer::Cut> BoundaryTransfer::TransferToRing(
   // One relative height for both annuli, so that equal v means equal places: enough for the loop
   // and for a few rows of triangles on the coarser mesh.
   const double targetEdge = EdgeLengthAround(this->Target.Mesh, ring.Seeds);
+  constexpr double rows = 2.5; // of faces at least: a map needs some inside
   const double halfHeight = std::max({ source.WidestOffset + source.EdgeLength,
-    2.5 * source.EdgeLength, 2.5 * targetEdge / ring.Scale });
+    rows * source.EdgeLength, rows * targetEdge / ring.Scale });
   std::vector<Eigen::Vector3d> rayEnds;
   for (const Eigen::Vector3d& sample : SampleLoop(this->Source.Mesh, source.Vertices, NumberOfRays))
   {

@@ -12,10 +12,17 @@ namespace marrow
 {
 namespace
 {
+/// Of a chain; finer ones move boundaries by less than a face.
 constexpr int Steps = 48;
+/// Weights of the warping's cost beside the difference of thickness: of uneven stretching, of how the surface
+/// fills a tube, of missing a landmark. Chosen on labelled meshes.
 constexpr double StretchWeight = 0.25;
 constexpr double FillWeight = 1.0;
 constexpr double LandmarkWeight = 0.25;
+/// Of the diagonal: a logarithm of nothing would outweigh all else.
+constexpr double LeastThickness = 1e-6;
+/// Keeps a mean of weights finite where no node is near.
+constexpr double NoGap = 1e-9;
 /// A difference of profiles beyond which places are just different.
 constexpr double LargestDifference = 1.5;
 
@@ -62,7 +69,7 @@ Profile ProfileOf(const AnalyzedMesh& side, const std::vector<double>& area, con
       own += area[v];
     }
     fill[i] = tube > 0.0 ? std::min(own / tube, 1.0) : 1.0;
-    thickness[i] = std::log(std::max(node.MSP, 1e-6 * side.Diagonal()));
+    thickness[i] = std::log(std::max(node.MSP, LeastThickness * side.Diagonal()));
   }
 
   // Smoothed over a few steps: single nodes are noisy.
@@ -81,7 +88,7 @@ Profile ProfileOf(const AnalyzedMesh& side, const std::vector<double>& area, con
       const double before = chain.ArcLength[std::max(i - 1, 0)];
       const double after = chain.ArcLength[std::min(i + 1, size - 1)];
       const double weight =
-        (std::exp(-0.5 * distance * distance) + 1e-12) * (0.5 * (after - before) + 1e-9 * length);
+        (std::exp(-0.5 * distance * distance) + NoGap) * (0.5 * (after - before) + NoGap * length);
       total += weight;
       sumThickness += weight * thickness[i];
       sumFill += weight * fill[i];
@@ -135,9 +142,10 @@ ChainAlignment AlignChains(const AnalyzedMesh& source, const Branch& sourceChain
     return cost;
   };
 
+  /// Of dynamic time warping: a piece is stretched to four times its length at most.
   constexpr std::array<std::pair<int, int>, 9> moves = { { { 1, 1 }, { 1, 2 }, { 2, 1 }, { 1, 3 },
     { 3, 1 }, { 2, 3 }, { 3, 2 }, { 1, 4 }, { 4, 1 } } };
-  constexpr int side = Steps + 1;
+  constexpr int side = Steps + 1; // of the table
   std::vector<double> best(side * side, std::numeric_limits<double>::infinity());
   std::vector<int> from(side * side, -1);
   best[0] = 0.0;

@@ -116,7 +116,8 @@ CoarseMesh Coarsen(const AnalyzedMesh& fine)
   }
   coarse.Size = std::sqrt(total);
   // No cell is without any area, so that its means are finite.
-  const double least = 1e-12 * total + std::numeric_limits<double>::min();
+  constexpr double ofTotal = 1e-12;
+  const double least = ofTotal * total + std::numeric_limits<double>::min();
   coarse.Shares.assign(n, 0.0);
   side.MSP.assign(n, 0.0);
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)

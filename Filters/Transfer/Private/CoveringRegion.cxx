@@ -338,8 +338,11 @@ std::optional<CoveringRegion> BuildCoveringRegion(const TriangleMesh& mesh, Path
     return {};
   }
   const PathField field = DistanceField(mesh, ring, 3.0 * halfWidth);
-  for (double width : { halfWidth, 0.6 * halfWidth, 0.3 * halfWidth, 0.0 })
+  /// The whole width first; narrower ones where that is no ring.
+  constexpr double narrower[] = { 1.0, 0.6, 0.3, 0.0 };
+  for (const double share : narrower)
   {
+    const double width = share * halfWidth;
     Band band(mesh,
       GrowBand(mesh, ring, mustCover,
         [&](int v) {

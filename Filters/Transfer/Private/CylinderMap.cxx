@@ -132,7 +132,8 @@ bool CylinderMap::Solve(PathFinder& paths)
     for (int k = 0; k < 3; ++k)
     {
       const int h = 3 * this->Region.Triangles[i] + k;
-      const double weight = CotangentWeight(*this->Mesh, h, 0.01);
+      constexpr double leastWeight = 0.01; // above 0, so that no triangle is turned over
+      const double weight = CotangentWeight(*this->Mesh, h, leastWeight);
       const int from = this->Mesh->From(h);
       const int to = this->Mesh->To(h);
       const int a = this->LocalOfVertex.at(from);
@@ -309,6 +310,7 @@ Eigen::Vector3d CylinderMap::PointAt(const Eigen::Vector2d& uv) const
 
 namespace
 {
+/// 5 degrees apart.
 constexpr int NumberOfRimSamples = 72;
 
 /// Both rims' places in the plane of `axes` at evenly spaced u, centred and scaled to unit size.

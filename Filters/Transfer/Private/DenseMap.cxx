@@ -16,6 +16,10 @@ namespace
 {
 /// How often positions are corrected by what was found there.
 constexpr int NumberOfCorrections = 6;
+/// Of a limb, over the diagonal, where the skeleton says nothing.
+constexpr double UsualRadius = 0.02;
+/// The scale of a search, over the diagonal, where no branch gives one: about a limb's width.
+constexpr double WholeRadius = 0.05;
 
 /// The mean over the surface of the radius of the vertices' nodes.
 double MeanRadius(const AnalyzedMesh& side)
@@ -31,7 +35,7 @@ double MeanRadius(const AnalyzedMesh& side)
       total += areas[v];
     }
   }
-  return total > 0.0 && sum > 0.0 ? sum / total : 0.02 * side.Diagonal();
+  return total > 0.0 && sum > 0.0 ? sum / total : UsualRadius * side.Diagonal();
 }
 
 std::vector<SourceSearch::Query> QueriesAsWhole(
@@ -53,7 +57,7 @@ constexpr double LeastCertainty = 0.1;
 
 double CertaintyOf(const SkeletonMap::Place& place)
 {
-  constexpr double ofLeftover = 0.5;
+  constexpr double ofLeftover = 0.5; // found by where it lies alone
   return place.Matched ? 1.0 : place.IsLeftover ? ofLeftover : LeastCertainty;
 }
 
@@ -96,8 +100,8 @@ const DenseMapper::WholeMap& DenseMapper::GetWhole()
   if (!this->Whole)
   {
     this->Whole.emplace();
-    this->Whole->Queries =
-      QueriesAsWhole(this->Target.Mesh, this->GetAlignment(), 0.05 * this->Source.Diagonal());
+    this->Whole->Queries = QueriesAsWhole(
+      this->Target.Mesh, this->GetAlignment(), WholeRadius * this->Source.Diagonal());
     this->Whole->Found = this->FindAll(this->Whole->Queries, this->Whole->Candidates);
     this->Whole->Misfit = this->Misfit(this->Whole->Queries, this->Whole->Found);
   }
@@ -139,7 +143,7 @@ std::vector<SourceSearch::Query> DenseMapper::QueriesBySkeleton(
     query.Position = transform.leftCols<3>() * mesh.Points[v] + transform.col(3);
     query.Normal = (transform.leftCols<3>() * normals[v]).normalized();
     query.Node = known ? places[node].SourceNode : -1;
-    query.Radius = known ? places[node].Radius : 0.05 * this->Source.Diagonal();
+    query.Radius = known ? places[node].Radius : WholeRadius * this->Source.Diagonal();
     certainty[v] = node >= 0 ? CertaintyOf(places[node]) : LeastCertainty;
   }
   return queries;
@@ -167,7 +171,7 @@ std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& qu
 double DenseMapper::Misfit(
   const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const
 {
-  const double scale = std::max(0.05 * this->Source.Diagonal(), 1e-300);
+  const double scale = std::max(WholeRadius * this->Source.Diagonal(), 1e-300);
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t v = 0; v < queries.size(); ++v)

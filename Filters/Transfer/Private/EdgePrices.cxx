@@ -84,8 +84,8 @@ double ConcavityPreference(const TriangleMesh& mesh, const std::vector<double>& 
     return sum * boundaryLength < boundarySum * total;
   };
   double low = 0.0;
-  double high = 20.0;
-  constexpr int halvings = 12;
+  double high = 20.0;          // of a preference: then a flat edge costs all but nothing less
+  constexpr int halvings = 12; // to 0.005
   for (int i = 0; i < halvings; ++i)
   {
     const double middle = 0.5 * (low + high);
@@ -104,7 +104,7 @@ double PreferenceOf(
 std::vector<double> EdgePrices(
   const TriangleMesh& mesh, const std::vector<double>& concavity, double preference)
 {
-  constexpr double leastShare = 0.05;
+  constexpr double leastShare = 0.05; // of its length: no edge is for nothing
   const double diagonal = std::max(mesh.BoundingBoxDiagonal(), 1e-300);
   std::vector<double> prices(concavity.size(), 0.0);
   for (int h = 0; h < static_cast<int>(prices.size()); ++h)

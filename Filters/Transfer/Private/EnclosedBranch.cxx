@@ -11,6 +11,11 @@ namespace marrow
 {
 namespace
 {
+/// The share of a junction's vertices on one side of a loop from which on the loop cuts it.
+constexpr double Cut = 0.1;
+/// A branch may leave the loop's plane a little outside of its circle, as loops are not round.
+constexpr double JustOutside = 1.2;
+
 /// Per node the share of its vertices to the left of the loop. Nodes without vertices take the mean
 /// of their neighbours.
 std::vector<double> ShareOfNodes(
@@ -111,7 +116,7 @@ void SettleJunctions(const Skeleton& skeleton, std::vector<double>& share)
 {
   for (int n = 0; n < skeleton.NumberOfNodes(); ++n)
   {
-    if (skeleton.TypeOf(n) != NodeType::Junction || share[n] < 0.1 || share[n] > 0.9)
+    if (skeleton.TypeOf(n) != NodeType::Junction || share[n] < Cut || share[n] > 1.0 - Cut)
     {
       continue;
     }
@@ -148,7 +153,8 @@ double CrossingOfPlane(const Skeleton& skeleton, const Branch& branch, const Fit
     const Eigen::Vector3d point = p + fraction * (q - p);
     const double arc =
       branch.ArcLength[i - 1] + fraction * (branch.ArcLength[i] - branch.ArcLength[i - 1]);
-    if ((point - plane.Center).norm() < 1.2 * plane.Radius && std::abs(arc - near) <= bestDistance)
+    if ((point - plane.Center).norm() < JustOutside * plane.Radius &&
+      std::abs(arc - near) <= bestDistance)
     {
       bestDistance = std::abs(arc - near);
       best = arc;

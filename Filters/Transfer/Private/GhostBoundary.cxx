@@ -11,6 +11,7 @@ namespace marrow
 {
 namespace
 {
+/// Of the profile of a branch: one for each half percent.
 constexpr int NumberOfSamples = 201;
 
 /// The lowest value from k on in one direction, until the profile rises above its value at k.
@@ -96,7 +97,7 @@ bool CutFuzzyRegion(const AnalyzedMesh& side, const std::vector<double>& ratios,
   MinimumCut cut(static_cast<int>(triangles.size()));
   bool hasFront = false;
   bool hasBack = false;
-  constexpr double uncuttable = 1e12;
+  constexpr double uncuttable = 1e12; // more than all capacities together
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const int node = static_cast<int>(i);
@@ -128,7 +129,8 @@ bool CutFuzzyRegion(const AnalyzedMesh& side, const std::vector<double>& ratios,
         continue;
       }
       const double length = (mesh.Points[mesh.From(h)] - mesh.Points[mesh.To(h)]).norm();
-      const double capacity = length / side.Diagonal() / (gradient(h) + 0.001);
+      constexpr double epsilon = 0.001; // the paper's
+      const double capacity = length / side.Diagonal() / (gradient(h) + epsilon);
       cut.AddEdge(
         nodeOfTriangle[t], nodeOfTriangle[TriangleMesh::TriangleOf(opposite)], capacity, capacity);
       edges.push_back(h);
@@ -258,7 +260,8 @@ std::optional<Landmark> MatchGhostBoundaries(
   // the branch apart are more likely two different places, and would drag the boundaries along.
   constexpr double mostCost = 0.01;
   double least = mostCost;
-  const auto isInside = [](double ratio) { return ratio > 0.01 && ratio < 0.99; };
+  constexpr double tip = 0.01; // of the chain: its ends are no change of thickness
+  const auto isInside = [](double ratio) { return ratio > tip && ratio < 1.0 - tip; };
   for (const GhostBoundary& s : source)
   {
     for (const GhostBoundary& t : target)

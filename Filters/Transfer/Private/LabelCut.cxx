@@ -120,7 +120,7 @@ std::vector<int> SolveLabels(const LabelProblem& problem, const Progress& progre
 
   std::vector<int> nodeOfSite(numberOfSites, -1);
   double energy = Energy(problem, labels);
-  constexpr int mostRounds = 4;
+  constexpr int mostRounds = 4; // only a bound; two are the rule
   for (int round = 0; round < mostRounds; ++round)
   {
     const std::vector<int> before = labels;
@@ -138,7 +138,8 @@ std::vector<int> SolveLabels(const LabelProblem& problem, const Progress& progre
     }
     // Rounding can make equal labellings take turns; only a gain counts as one.
     const double reached = Energy(problem, labels);
-    if (reached >= energy * (1.0 - 1e-9))
+    constexpr double gain = 1e-9; // less is rounding
+    if (reached >= energy * (1.0 - gain))
     {
       return reached < energy ? labels : before;
     }

@@ -92,7 +92,8 @@ std::optional<Eigen::Matrix<double, 3, 4>> FitSimilarity(const AnalyzedMesh& tar
       targetSpread += weight / total * (t - targetMean).squaredNorm();
     });
   const Eigen::Vector3d breadths = covariance.jacobiSvd().singularValues();
-  constexpr double leastBreadth = 0.01;
+  constexpr double leastBreadth =
+    0.01; // of the length: less is a line, about which anything may turn
   if (!(breadths[1] > leastBreadth * breadths[0]))
   {
     return std::nullopt;

@@ -16,8 +16,9 @@ double CotangentWeight(const TriangleMesh& mesh, int halfEdge, double least)
   const Eigen::Vector3d a = mesh.Points[mesh.From(halfEdge)] - apex;
   const Eigen::Vector3d b = mesh.Points[mesh.To(halfEdge)] - apex;
   const double twiceArea = a.cross(b).norm();
-  // A sliver's cotangent is cut off: it would glue its two vertices together.
-  const double cotangent = twiceArea > 0.0 ? std::min(a.dot(b) / twiceArea, 20.0) : 0.0;
+  // Clamp the cotangent: slivers would couple their vertices rigidly. 20 is that of 3 degrees.
+  constexpr double most = 20.0;
+  const double cotangent = twiceArea > 0.0 ? std::min(a.dot(b) / twiceArea, most) : 0.0;
   return std::max(0.5 * cotangent, least);
 }
 
@@ -32,7 +33,8 @@ MeshSmoother::MeshSmoother(const TriangleMesh& mesh, double width)
     total += area;
   }
   // A point without area (unused, or only in degenerate triangles) still needs an equation.
-  const double least = total > 0.0 ? 1e-9 * total / n : 1.0;
+  constexpr double ofMean = 1e-9;
+  const double least = total > 0.0 ? ofMean * total / n : 1.0;
   this->Mass.resize(n);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(n) + 12 * mesh.Triangles.size());

@@ -29,9 +29,10 @@ namespace
 /// Anything from 1 to 2 times the standoff does.
 double WidthFor(const DenseMap& map)
 {
-  constexpr double perStandoff = 1.5;
-  constexpr double least = 1e-4;
-  constexpr double most = 0.03;
+  constexpr double perStandoff =
+    1.5;                         // 1 to 2 gave the same on four meshes of six categories, 3 less
+  constexpr double least = 1e-4; // far below a face
+  constexpr double most = 0.03;  // a segment's width: more would blend small ones away
   return std::clamp(perStandoff * map.Standoff, least, most);
 }
 

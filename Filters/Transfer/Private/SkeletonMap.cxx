@@ -14,6 +14,21 @@ namespace marrow
 {
 namespace
 {
+/// The part of a chain at its end, of its length, whose direction counts: at least this and the junction's ball.
+constexpr double LeastEnd = 0.1;
+/// A radius is the mean over five places this far apart, of the length: single ones jump.
+constexpr double RadiusStep = 0.04;
+/// Of the diagonal: a limb without thickness has a scale all the same.
+constexpr double LeastRadius = 1e-6;
+/// A tangent is that of a piece of the chain of at least this length, of the chain's: shorter ones are noise.
+constexpr double LeastReach = 0.05;
+/// Of the rotation of the whole beside the vectors of a junction, which have 1 each.
+constexpr double WeightOfWhole = 0.05;
+/// How much thicker or thinner than the whole a limb may become: more is a mistake of the matching.
+constexpr double MostScale = 5.0;
+/// How much longer than wide a limb may become, likewise.
+constexpr double MostStretch = 3.0;
+
 Eigen::Matrix3d LeastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
@@ -23,7 +38,7 @@ Eigen::Matrix3d LeastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d
 Eigen::Vector3d EndVector(const Skeleton& skeleton, const Branch& chain, bool back)
 {
   const int end = back ? chain.Back() : chain.Front();
-  const double reach = std::clamp(skeleton.Graph[end].Radius / chain.Length(), 0.1, 0.5);
+  const double reach = std::clamp(skeleton.Graph[end].Radius / chain.Length(), LeastEnd, 0.5);
   const Eigen::Vector3d vector =
     PointOnChain(skeleton, chain, back ? 1.0 - reach : reach) - skeleton.Graph[end].Position;
   return vector.norm() > 0.0 ? Eigen::Vector3d(vector.normalized()) : Eigen::Vector3d::Zero();
@@ -36,14 +51,15 @@ double RadiusAt(const AnalyzedMesh& side, const Branch& chain, double ratio)
   for (int k = -2; k <= 2; ++k)
   {
     sum += InterpolateOnChain(
-      chain, ratio + 0.04 * k, [&](int node) { return side.Skeleton.Graph[node].Radius; });
+      chain, ratio + RadiusStep * k, [&](int node) { return side.Skeleton.Graph[node].Radius; });
   }
-  return std::max(sum / 5.0, 1e-6 * side.Diagonal());
+  return std::max(sum / 5.0, LeastRadius * side.Diagonal());
 }
 
 double TangentReach(const AnalyzedMesh& side, const Branch& chain, double ratio)
 {
-  return std::clamp(RadiusAt(side, chain, ratio), 0.05 * chain.Length(), 0.25 * chain.Length());
+  return std::clamp(
+    RadiusAt(side, chain, ratio), LeastReach * chain.Length(), 0.25 * chain.Length());
 }
 }
 
@@ -115,7 +131,7 @@ Eigen::Matrix3d SkeletonMap::EndRotation(int chain, bool back, int& numberOfVect
   { return node == end || (id >= 0 && id == endId); };
 
   // The whole's rotation, with little weight, settles what one or two vectors leave open.
-  Eigen::Matrix3d covariance = 0.05 * this->Global;
+  Eigen::Matrix3d covariance = WeightOfWhole * this->Global;
   numberOfVectors = 0;
   for (const ChainPair& pair : this->Match.Chains)
   {
@@ -155,7 +171,7 @@ void SkeletonMap::ComputeChainFrames(int chain)
       this->Target.Skeleton, pair.Target, t, TangentReach(this->Target, pair.Target, t));
     const double scale =
       RadiusAt(this->Source, pair.Source, s) / RadiusAt(this->Target, pair.Target, t);
-    frames.Scales[k] = std::clamp(scale, 0.2 * wholeScale, 5.0 * wholeScale);
+    frames.Scales[k] = std::clamp(scale, wholeScale / MostScale, MostScale * wholeScale);
   }
 
   int frontVectors = 0;
@@ -223,12 +239,13 @@ SkeletonMap::Place SkeletonMap::PlaceOnChain(int chain, double targetRatio) cons
 
   // Lengths along the chain scale as the chain does, lengths across it as its radius.
   const double radial = this->RadialScale(chain, s);
-  const double step = 0.02;
+  constexpr double step =
+    0.02; // of the chain: over shorter ones the slope of the alignment is noise
   const double slope = (this->SourceRatio(chain, std::min(targetRatio + step, 1.0)) -
                          this->SourceRatio(chain, std::max(targetRatio - step, 0.0))) /
     (std::min(targetRatio + step, 1.0) - std::max(targetRatio - step, 0.0));
-  const double axial =
-    std::clamp(slope * pair.Source.Length() / pair.Target.Length(), 0.3 * radial, 3.0 * radial);
+  const double axial = std::clamp(slope * pair.Source.Length() / pair.Target.Length(),
+    radial / MostStretch, MostStretch * radial);
   const Eigen::Vector3d tangent = TangentOfChain(this->Target.Skeleton, pair.Target, targetRatio,
     TangentReach(this->Target, pair.Target, targetRatio));
   const Eigen::Matrix3d linear = this->Rotation(chain, s) *
@@ -282,8 +299,9 @@ SkeletonMap::Place SkeletonMap::PlaceOfEnds(int targetNode) const
   const double wholeScale =
     this->Target.Diagonal() > 0.0 ? this->Source.Diagonal() / this->Target.Diagonal() : 1.0;
   const double targetRadius =
-    std::max(this->Target.Skeleton.Graph[targetNode].Radius, 1e-6 * this->Target.Diagonal());
-  const double scale = std::clamp(place.Radius / targetRadius, 0.2 * wholeScale, 5.0 * wholeScale);
+    std::max(this->Target.Skeleton.Graph[targetNode].Radius, LeastRadius * this->Target.Diagonal());
+  const double scale =
+    std::clamp(place.Radius / targetRadius, wholeScale / MostScale, MostScale * wholeScale);
   place.Transform.leftCols<3>() = scale * rotation;
   place.Transform.col(3) =
     position / count - scale * rotation * this->Target.Skeleton.Graph[targetNode].Position;

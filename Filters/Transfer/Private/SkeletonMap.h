@@ -67,6 +67,7 @@ private:
   Place PlaceOnChain(int chain, double targetRatio) const;
   Place PlaceOfEnds(int targetNode) const;
 
+  /// Of the frames of a chain; between them they are blended.
   static constexpr int NumberOfSamples = 33;
   struct ChainFrames
   {

@@ -125,9 +125,10 @@ void SourceSearch::UpdateCandidates(const Query& query, Candidates& candidates) 
   }
   const auto last = known.begin() + candidates.Count - 1;
   std::nth_element(known.begin(), last, end);
-  // By the triangle inequality; the factor is for the rounding.
+  // By the triangle inequality.
   const double moved = (query.Position - candidates.Center).norm();
-  if (std::sqrt(last->first) < (candidates.Radius - moved) * (1.0 - 1e-9))
+  constexpr double withRounding = 1.0 - 1e-9; // less than what is known to be near
+  if (std::sqrt(last->first) < (candidates.Radius - moved) * withRounding)
   {
     for (int i = 0; i < candidates.CountKnown; ++i)
     {
@@ -146,7 +147,9 @@ double SourceSearch::CostOf(const Query& query, int triangle) const
   const double along = query.Node >= 0 && node >= 0
     ? std::min(this->NodeDistance(query.Node, node), Reach(query))
     : 0.0;
-  return (this->Centroids[triangle] - query.Position).squaredNorm() + 0.1 * along * along +
+  /// A way along the skeleton counts a third of one through space, as branches are matched roughly.
+  constexpr double weightAlong = 0.1;
+  return (this->Centroids[triangle] - query.Position).squaredNorm() + weightAlong * along * along +
     0.5 * query.Radius * query.Radius * (1.0 - this->Normals[triangle].dot(query.Normal));
 }
 
@@ -172,7 +175,9 @@ std::vector<std::pair<int, double>> SourceSearch::Weigh(
     costs.emplace_back(this->CostOf(query, triangle), triangle);
   }
   std::sort(costs.begin(), costs.end());
-  const double width = std::max(0.1 * query.Radius, 1e-300);
+  /// Of the limb's radius: triangles that much farther than the best still count.
+  constexpr double blend = 0.1;
+  const double width = std::max(blend * query.Radius, 1e-300);
   std::vector<std::pair<int, double>> found;
   double total = 0.0;
   for (const auto& [cost, t] : costs)

@@ -33,8 +33,8 @@ public:
   /// them are known too: a query that has moved less than these are farther off finds the nearest among them.
   struct Candidates
   {
-    static constexpr int Most = 16;
-    static constexpr int MostKnown = 32;
+    static constexpr int Most = 16;       ///< that are weighed: a patch of some four faces across
+    static constexpr int MostKnown = 32;  ///< so that small moves need no new search; time alone
     std::array<int, MostKnown> Triangles; ///< the nearest are the first
     int Count = 0;
     int CountKnown = 0;

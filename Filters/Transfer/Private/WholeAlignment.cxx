@@ -15,6 +15,10 @@ namespace marrow
 {
 namespace
 {
+/// Points by which a similarity of seven parameters is found; time grows with the product.
+constexpr int NumberOfTargets = 300;
+constexpr int NumberOfSources = 1000;
+
 struct Axes
 {
   Eigen::Vector3d Center = Eigen::Vector3d::Zero();
@@ -116,8 +120,8 @@ Eigen::Matrix<double, 3, 4> AlignWhole(
   const Axes to = PrincipalAxes(source);
   const Axes from = PrincipalAxes(target);
   const double scale = from.Size > 0.0 ? to.Size / from.Size : 1.0;
-  const std::vector<Eigen::Vector3d> targets = SomePoints(target, 300);
-  const std::vector<Eigen::Vector3d> sources = SomePoints(source, 1000);
+  const std::vector<Eigen::Vector3d> targets = SomePoints(target, NumberOfTargets);
+  const std::vector<Eigen::Vector3d> sources = SomePoints(source, NumberOfSources);
   std::vector<std::pair<double, Eigen::Matrix<double, 3, 4>>> starts;
   std::vector<int> nearest;
   const auto misfit = [&](const Eigen::Matrix<double, 3, 4>& transform)
