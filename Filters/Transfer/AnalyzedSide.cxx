@@ -122,6 +122,7 @@ std::string AnalyzeBody(vtkPolyData* mesh, vtkPolyData* skeleton, const Prepared
   {
     FillNodeOfVertex(analyzed.Mesh, analyzed.NodeOfVertex);
     analyzed.Skeleton.MeshDiagonal = analyzed.Mesh.BoundingBoxDiagonal();
+    analyzed.Slices = FindSlices(analyzed.Mesh);
   }
   return error;
 }

@@ -3,6 +3,7 @@
 
 #include "AnswerSearch.h"
 #include "FullResolution.h"
+#include "SliceAnswers.h"
 
 #include <algorithm>
 #include <limits>
@@ -131,7 +132,7 @@ Partner FindPartner(const AnalyzedSide& source, const AnalyzedMesh& target,
     }
     // Nothing matched costs nothing, and is the worst.
     const double cost =
-      answers.front().Match.IsEmpty() ? std::numeric_limits<double>::max() : answers.front().Cost;
+      answers.front().IsEmpty() ? std::numeric_limits<double>::max() : answers.front().Cost;
     if (cost < least)
     {
       least = cost;
@@ -176,13 +177,19 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
   for (std::size_t b = 0; b < target.Bodies.size(); ++b)
   {
     const Progress ofBody = SubProgress(progress, b / size, (b + 1) / size);
-    const Partner partner = givenSource.IsKnown() && givenTarget.IsKnown()
+    const bool isGiven = givenSource.IsKnown() && givenTarget.IsKnown();
+    Partner partner = isGiven
       ? PartnerOf(
           givenSource, givenTarget, source.Bodies.front().Skeleton, target.Bodies[b].Skeleton)
       : FindPartner(source, target.Bodies[b], hints[b], SubProgress(ofBody, 0.0, afterMatching));
     if (!Report(ofBody, afterMatching))
     {
       return result;
+    }
+    // The paper knows skeletons alone.
+    if (!isGiven && !parameters.StrictBoundaries)
+    {
+      PreferSlices(source.Bodies[partner.SourceBody], target.Bodies[b], partner.Answers);
     }
     const int numberOfAnswers = static_cast<int>(partner.Answers.size());
     if (guidance.AnswerIndex >= numberOfAnswers)
@@ -223,8 +230,10 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.NumberOfMissingPieces =
       std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
     result.NumberOfUnmetHints += ofOne.NumberOfUnmetHints;
-    result.IsMatched = result.IsMatched && !answer.Match.IsEmpty();
+    result.IsMatched = result.IsMatched && !answer.IsEmpty();
     result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
+    result.MatchedBy.emplace_back(
+      ofOne.IsWholeAlignment ? "whole" : (ofOne.IsBySlices ? "slices" : "skeletons"));
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }

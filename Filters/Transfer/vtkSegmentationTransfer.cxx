@@ -25,6 +25,7 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include <set>
 #include <string>
@@ -299,6 +300,13 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     array->InsertNextValue(value);
     output->GetFieldData()->AddArray(array);
   }
+  vtkNew<vtkStringArray> matchedBy;
+  matchedBy->SetName(marrow::names::MatchedBy);
+  for (const std::string& way : result.MatchedBy)
+  {
+    matchedBy->InsertNextValue(way);
+  }
+  output->GetFieldData()->AddArray(matchedBy);
   output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
   if (vtkAbstractArray* segmentNames =
         sourceMesh->GetFieldData()->GetAbstractArray(marrow::names::SegmentName))

@@ -33,6 +33,14 @@
  * surfaces together no better than their principal axes do (a bust, a machine part), the meshes are
  * aligned as wholes, with a warning.
  *
+ * Skeletons say little of surfaces of revolution (a vase, a cup, a shaft), which are told by their outer wall:
+ * over three fifths of the directions from an axis, all along it, it is equally far from it, within 5 %.
+ * Two of these are cut into slices across their axes, and the chains of slices are aligned by dynamic time
+ * warping of radius and slope; handles and spouts, which stand off the wall by a quarter of its radius,
+ * correspond among each other. The two ways round are answers before those of the skeletons, whose cost
+ * is then 1. If the cheaper costs more than 0.5 (of 1, where nothing agrees), there are none, nor with
+ * StrictBoundaries, nor where the skeletons bring their correspondence.
+ *
  * Any mesh will do. The method runs on the working surfaces of both meshes (vtkWorkingSurface, of at most
  * vtkMSPSkeleton's MaximumFaces), each body in its canonical frame, and the segments go back to the cells
  * of the input, each and in order. Each body of the target takes its segments from the body of the source
@@ -81,8 +89,8 @@
  *   skeletons brought their correspondence), MatchingEvidence (double, the sum by which the answer was
  *   chosen), MatchingConfidence (double in [0,1], how likely it is that the answer brings the right label to
  *   four fifths of the surface or more, calibrated on labelled meshes; CorrespondenceConfidence where the
- *   skeletons brought their correspondence), and the source's SegmentName (string), if it has one: at i
- *   the name of segment i;
+ *   skeletons brought their correspondence), MatchedBy (string; per body of the target "skeletons",
+ *   "slices" or "whole"), and the source's SegmentName (string), if it has one: at i the name of segment i;
  * - 1, the boundaries of the source, 2, those of the target: closed polylines (the first point is
  *   repeated at the end of the cell) with the cell arrays BoundaryId (vtkIdType), FirstSegmentId and
  *   SecondSegmentId (int; the segments on the left and on the right of the line as seen from

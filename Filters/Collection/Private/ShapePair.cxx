@@ -4,6 +4,7 @@
 #include "AnswerPlaces.h"
 #include "AnswerSearch.h"
 #include "DenseMap.h"
+#include "SliceAnswers.h"
 #include "WholeAlignment.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace marrow
 namespace
 {
 /// What a file of a pair begins with; the number changes with all that the results depend on.
-constexpr const char* Signature = "Marrow pair 1\n";
+constexpr const char* Signature = "Marrow pair 2\n";
 
 template <typename Value>
 void WriteValue(std::ostream& stream, const Value& value)
@@ -61,6 +62,10 @@ bool ShapePair::MatchAgain(const Progress& progress)
   {
     this->Answers = marrow::FindAnswers(
       this->Shapes[0]->Fine.Skeleton, this->Shapes[1]->Fine.Skeleton, {}, progress);
+    if (!this->Answers.empty())
+    {
+      PreferSlices(this->Shapes[0]->Fine, this->Shapes[1]->Fine, this->Answers);
+    }
   }
   return !this->Answers.empty();
 }
@@ -132,17 +137,21 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   const AnalyzedMesh& source = this->Shapes[1 - side]->Fine;
   const AnalyzedMesh& target = this->Shapes[side]->Fine;
   const Answer seen = side == 1 ? this->Answers[answer] : Turned(this->Answers[answer]);
-  SkeletonMap skeletonMap(source, target, seen.Match);
-  AlignWithLandmarks(source, target, seen.Match, {}, skeletonMap);
   const DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother),
     AlignWhole(source.Mesh, target.Mesh));
   bool isStopped = false;
-  const DenseMap map = mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(),
-    [&](double fraction)
-    {
-      isStopped = isStopped || !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
-      return !isStopped;
-    });
+  const Progress watched = [&](double fraction)
+  {
+    isStopped = isStopped || !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
+    return !isStopped;
+  };
+  const auto mapBySkeletons = [&]()
+  {
+    SkeletonMap skeletonMap(source, target, seen.Match);
+    AlignWithLandmarks(source, target, seen.Match, {}, skeletonMap);
+    return mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(), watched);
+  };
+  const DenseMap map = seen.Slices ? mapper.Map(*seen.Slices, watched) : mapBySkeletons();
   if (!isStopped)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);

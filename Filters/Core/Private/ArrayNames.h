@@ -51,6 +51,7 @@ inline constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
 inline constexpr const char* MatchingCost = "MatchingCost";
 inline constexpr const char* MatchingEvidence = "MatchingEvidence";
 inline constexpr const char* MatchingConfidence = "MatchingConfidence";
+inline constexpr const char* MatchedBy = "MatchedBy";
 inline constexpr const char* SegmentShareId = "SegmentShareId";
 inline constexpr const char* LabellingWeight = "LabellingWeight";
 

@@ -3,8 +3,10 @@
 #define marrow_AnalyzedMesh_h
 
 #include "Skeleton.h"
+#include "SliceChain.h"
 #include "TriangleMesh.h"
 
+#include <memory>
 #include <vector>
 
 namespace marrow
@@ -13,11 +15,12 @@ namespace marrow
 struct AnalyzedMesh
 {
   TriangleMesh Mesh;
-  marrow::Skeleton Skeleton;             ///< φ is filled
-  std::vector<int> NodeOfVertex;         ///< no vertex is without a node: see FillNodeOfVertex
-  std::vector<double> MSP;               ///< per vertex, mesh units
-  std::vector<double> GradientMagnitude; ///< per vertex |∇MSP|
-  std::vector<double> DihedralAngle;     ///< per vertex, radians
+  marrow::Skeleton Skeleton;                ///< φ is filled
+  std::vector<int> NodeOfVertex;            ///< no vertex is without a node: see FillNodeOfVertex
+  std::vector<double> MSP;                  ///< per vertex, mesh units
+  std::vector<double> GradientMagnitude;    ///< per vertex |∇MSP|
+  std::vector<double> DihedralAngle;        ///< per vertex, radians
+  std::shared_ptr<const SliceChain> Slices; ///< of a surface of revolution; null for others
 
   double Diagonal() const { return this->Skeleton.MeshDiagonal; }
 };

@@ -4,6 +4,7 @@
 #include "AnswerPlaces.h"
 #include "AnswerSearch.h"
 #include "SkeletonMap.h"
+#include "WeightedMedian.h"
 #include "WholeAlignment.h"
 
 #include <algorithm>
@@ -18,27 +19,6 @@ namespace
 /// Smaller differences of the sum are noise of the coarse map: where only these speak for another
 /// answer, the skeletons decide. Anything from 0.01 to 0.02 does.
 constexpr double Margin = 0.015;
-
-/// The value below and above which half of the weights lie.
-double WeightedMedian(std::vector<std::pair<double, double>> values)
-{
-  std::sort(values.begin(), values.end());
-  double total = 0.0;
-  for (const auto& entry : values)
-  {
-    total += entry.second;
-  }
-  double below = 0.0;
-  for (const auto& [value, weight] : values)
-  {
-    below += weight;
-    if (2.0 * below >= total)
-    {
-      return value;
-    }
-  }
-  return 0.0;
-}
 
 /// What speaks against `map`, which carries `target` to `source`.
 Evidence Judge(
@@ -102,10 +82,14 @@ std::vector<SurfaceHint> ToCoarse(
 AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
   const Answer& answer, const std::vector<SurfaceHint>& hints)
 {
-  SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
-  AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
-  DenseMap map =
-    mapper.Map(PlacesByMap(source.Side, target.Side, skeletonMap), !answer.Match.IsEmpty(), {});
+  const auto mapBySkeletons = [&]()
+  {
+    SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
+    AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
+    return mapper.Map(
+      PlacesByMap(source.Side, target.Side, skeletonMap), !answer.Match.IsEmpty(), {});
+  };
+  DenseMap map = answer.Slices ? mapper.Map(*answer.Slices, {}) : mapBySkeletons();
   AnswerTrial trial;
   trial.Against = Judge(source, target, answer, map);
   trial.Against.Hints = answer.CostOfHints + CostOfHints(source.Side, hints, map.FoundTriangles);

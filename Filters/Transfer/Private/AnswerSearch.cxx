@@ -51,6 +51,10 @@ Answer Turned(const Answer& answer)
   std::swap(ids.SourceNodes, ids.TargetNodes);
   std::swap(ids.SourceBranches, ids.TargetBranches);
   std::swap(ids.SourceOrder, ids.TargetOrder);
+  if (answer.Slices)
+  {
+    turned.Slices = answer.Slices->Inverse();
+  }
   return turned;
 }
 }

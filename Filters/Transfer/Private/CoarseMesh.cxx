@@ -127,6 +127,7 @@ CoarseMesh Coarsen(const AnalyzedMesh& fine)
     side.MSP[cell] /= coarse.Shares[cell];
     sum += coarse.Shares[cell];
   }
+  side.Slices = fine.Slices;
   side.Skeleton = fine.Skeleton;
   for (int node = 0; node < side.Skeleton.NumberOfNodes(); ++node)
   {

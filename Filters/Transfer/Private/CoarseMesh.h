@@ -12,7 +12,8 @@ namespace marrow
 ///
 /// The vertices are farthest-point samples along the edges of the fine mesh; a triangle stands where
 /// the cells of three of them meet, so the surface is roughly, not strictly, a manifold. MSP is the
-/// mean over a cell. The skeleton is the same, its φ the samples.
+/// mean over a cell. The skeleton is the same, its φ the samples;
+/// the slices are the same.
 struct CoarseMesh
 {
   AnalyzedMesh Side;

@@ -2,6 +2,7 @@
 #include "DenseMap.h"
 
 #include "ParallelFor.h"
+#include "SlicePlaces.h"
 
 #include <Eigen/Geometry>
 
@@ -142,8 +143,8 @@ std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& qu
   return found;
 }
 
-/// How badly a map brings the surfaces together: the mean over the target of the squared distance, in
-/// twentieths of the source's diagonal, and of the deviation of normals, [0,1].
+/// How badly a map brings the surfaces together: the mean over the target of SourceSearch's misfit, in
+/// twentieths of the source's diagonal.
 double DenseMapper::Misfit(
   const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const
 {
@@ -152,10 +153,7 @@ double DenseMapper::Misfit(
   double total = 0.0;
   for (std::size_t v = 0; v < queries.size(); ++v)
   {
-    const double squared =
-      (this->Search->Centroid(found[v]) - queries[v].Position).squaredNorm() / (scale * scale);
-    const double turn = 1.0 - this->Search->Normal(found[v]).dot(queries[v].Normal);
-    sum += this->Areas[v] * std::min(1.0, squared + 0.5 * turn);
+    sum += this->Areas[v] * this->Search->Misfit(queries[v], found[v], scale);
     total += this->Areas[v];
   }
   return total > 0.0 ? sum / total : 1.0;
@@ -200,12 +198,31 @@ DenseMap DenseMapper::Map(
       map.IsWholeAlignment = false;
     }
   }
+  this->Correct(map, progress);
+  return map;
+}
+
+DenseMap DenseMapper::Map(const SliceAlignment& alignment, const Progress& progress) const
+{
+  DenseMap map;
+  map.Places = PlacesBySlices(this->Source, this->Target.Mesh, alignment, *this->Search);
+  map.FoundTriangles = this->FindAll(map.Places);
+  map.Certainty.assign(map.Places.size(), 1.0);
+  map.IsWholeAlignment = false;
+  this->Correct(map, progress);
+  return map;
+}
+
+/// Moves the places towards what is found there, evenly over the surface.
+void DenseMapper::Correct(DenseMap& map, const Progress& progress) const
+{
+  const int numberOfVertices = static_cast<int>(map.Places.size());
   map.Standoff = this->Standoff(map);
   for (int round = 0; round < NumberOfCorrections; ++round)
   {
     if (!Report(progress, (round + 1.0) / (NumberOfCorrections + 1.0)))
     {
-      return map;
+      return;
     }
     Eigen::MatrixXd displacements(numberOfVertices, 3);
     for (int v = 0; v < numberOfVertices; ++v)
@@ -220,7 +237,6 @@ DenseMap DenseMapper::Map(
     }
     map.FoundTriangles = this->FindAll(map.Places);
   }
-  return map;
 }
 
 Eigen::MatrixXd DenseMapper::Shares(

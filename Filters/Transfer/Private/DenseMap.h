@@ -6,6 +6,7 @@
 #include "MeshSmoother.h"
 #include "Progress.h"
 #include "SkeletonMap.h"
+#include "SliceAlignment.h"
 #include "SourceSearch.h"
 
 #include <Eigen/Core>
@@ -57,6 +58,9 @@ public:
   DenseMap Map(
     const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const;
 
+  /// The same for surfaces of revolution.
+  DenseMap Map(const SliceAlignment& alignment, const Progress& progress) const;
+
   /// Target vertices x segments: how likely the vertex belongs to each segment of the source, by the
   /// triangles that it finds. Rows sum to 1.
   Eigen::MatrixXd Shares(
@@ -67,6 +71,7 @@ private:
   double Misfit(
     const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const;
   double Standoff(const DenseMap& map) const;
+  void Correct(DenseMap& map, const Progress& progress) const;
 
   const AnalyzedMesh& Source;
   const AnalyzedMesh& Target;

@@ -242,12 +242,15 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   }
   const DenseMapper mapper(
     source, target, isFindable, AlignWhole(source.Mesh, target.Mesh, guidance.Hints));
-  const DenseMap map = mapper.Map(places, anyMatched, SubProgress(watched, 0.5, 0.8));
+  const Progress ofMap = SubProgress(watched, 0.5, 0.8);
+  const auto& slices = answers[result.Answer].Slices;
+  const DenseMap map = slices ? mapper.Map(*slices, ofMap) : mapper.Map(places, anyMatched, ofMap);
   if (!watched(0.8))
   {
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
+  result.IsBySlices = slices.has_value();
   result.NumberOfUnmetHints = NumberOfUnmetHints(source, guidance.Hints, map.FoundTriangles);
   const double width = WidthFor(map);
   const MeshSmoother blend(target.Mesh, width * target.Diagonal());

@@ -81,7 +81,13 @@ std::vector<std::pair<double, int>> SourceSearch::Rank(const Query& query) const
   // Within a few radii along the skeleton: parts beyond are near in space only by the pose.
   const double reach = 3.0 * query.Radius;
   std::vector<Value> found;
-  if (query.Node >= 0)
+  if (query.Among)
+  {
+    const auto isAmong = [&](const Value& value) { return (*query.Among)[value.second]; };
+    this->Index.query(index::nearest(point, numberOfCandidates) && index::satisfies(isAmong),
+      std::back_inserter(found));
+  }
+  else if (query.Node >= 0)
   {
     const auto isNear = [&](const Value& value)
     {
@@ -132,5 +138,13 @@ std::vector<std::pair<int, double>> SourceSearch::FindSeveral(const Query& query
     entry.second /= total;
   }
   return found;
+}
+
+double SourceSearch::Misfit(const Query& query, int triangle, double scale) const
+{
+  const double squared =
+    (this->Centroids[triangle] - query.Position).squaredNorm() / (scale * scale);
+  const double turn = 1.0 - this->Normals[triangle].dot(query.Normal);
+  return std::min(1.0, squared + 0.5 * turn);
 }
 }

@@ -8,6 +8,7 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -27,12 +28,18 @@ public:
     Eigen::Vector3d Normal = Eigen::Vector3d::Zero();
     int Node = -1;       ///< of the source's skeleton; -1 does not care
     double Radius = 0.0; ///< the scale by which normals and nodes are weighed against distance
+    /// Per triangle, whether it may be found; null: as far as the rest allows, all.
+    std::shared_ptr<const std::vector<bool>> Among;
   };
   /// The best triangle; -1 if there is none.
   int Find(const Query& query) const;
   /// The best triangles, the first first, with weights that sum to 1 and fall with what they are
   /// worse.
   std::vector<std::pair<int, double>> FindSeveral(const Query& query) const;
+
+  /// How far a query is from a triangle: the squared distance over that of `scale`, and how far the
+  /// normal deviates, [0,1].
+  double Misfit(const Query& query, int triangle, double scale) const;
 
   const Eigen::Vector3d& Centroid(int triangle) const { return this->Centroids[triangle]; }
   const Eigen::Vector3d& Normal(int triangle) const { return this->Normals[triangle]; }
