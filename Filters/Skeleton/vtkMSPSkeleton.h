@@ -81,7 +81,7 @@ public:
   ///@{
   /**
    * The most faces of the working surface on which the skeleton is made: finer meshes are simplified to
-   * so many first. 0: never. Default 60000, range 0 to VTK_INT_MAX.
+   * so many first. 0: never. Default 30000, range 0 to VTK_INT_MAX.
    */
   vtkSetClampMacro(MaximumFaces, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumFaces, int);
@@ -96,7 +96,7 @@ protected:
 
   double FinestArea = 0.004;
   double NodeSpacing = 0.012;
-  int MaximumFaces = 60000;
+  int MaximumFaces = 30000;
 
 private:
   vtkMSPSkeleton(const vtkMSPSkeleton&) = delete;

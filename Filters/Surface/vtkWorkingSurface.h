@@ -60,8 +60,8 @@ public:
   ///@{
   /**
    * Triangles that the working surface has at most; a larger mesh is simplified. A few more may be left
-   * where the topology needs them. Default 60000 (at 20000 the
-   * skeletons of finely modelled figures of 50,000 faces lose limbs), range 100 to VTK_INT_MAX.
+   * where the topology needs them. Default 30000 (at 60000 labels are
+   * no better, at 20000 hands lose fingers), range 100 to VTK_INT_MAX.
    */
   vtkSetClampMacro(MaximumFaces, int, 100, VTK_INT_MAX);
   vtkGetMacro(MaximumFaces, int);
@@ -74,7 +74,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int MaximumFaces = 60000;
+  int MaximumFaces = 30000;
 
 private:
   vtkWorkingSurface(const vtkWorkingSurface&) = delete;

@@ -14,6 +14,9 @@ OPTIONS = ["--strict", "--ignore-missing-imports", "--allow-untyped-calls",
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
 class TestTypes(unittest.TestCase):
+    # The difference from nothing is what mypy found.
+    maxDiff = None
+
     def mypy(self, *arguments):
         package = os.environ["PYTHONPATH"].split(os.pathsep)[0]
         cache = os.path.join(os.environ["MARROW_TEST_OUTPUT"], "mypy")

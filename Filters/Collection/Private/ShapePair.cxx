@@ -5,7 +5,6 @@
 #include "AnswerSearch.h"
 #include "DenseMap.h"
 #include "SliceAnswers.h"
-#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <istream>
@@ -82,8 +81,8 @@ bool ShapePair::FindAnswers(const Progress& progress)
   {
     const CollectionShape& source = *this->Shapes[1 - side];
     const CollectionShape& target = *this->Shapes[side];
-    const DenseMapper mapper(source.Coarse.Side, target.Coarse.Side, source.CoarseSearch,
-      target.CoarseSmoother, AlignWhole(source.Fine.Mesh, target.Fine.Mesh));
+    DenseMapper mapper(
+      source.Coarse.Side, target.Coarse.Side, source.CoarseSearch, target.CoarseSmoother);
     for (std::size_t a = 0; a < tried.size(); ++a)
     {
       const double done = (side + static_cast<double>(a) / tried.size()) / 2.0;
@@ -137,8 +136,7 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   const AnalyzedMesh& source = this->Shapes[1 - side]->Fine;
   const AnalyzedMesh& target = this->Shapes[side]->Fine;
   const Answer seen = side == 1 ? this->Answers[answer] : Turned(this->Answers[answer]);
-  const DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother),
-    AlignWhole(source.Mesh, target.Mesh));
+  DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother));
   bool isStopped = false;
   const Progress watched = [&](double fraction)
   {

@@ -4,6 +4,7 @@
 #include "GeodesicSolver.h"
 #include "ParallelFor.h"
 #include "SharedProgress.h"
+#include "VertexGraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,7 @@ Samples FarthestPointSamples(const TriangleMesh& mesh, const std::vector<int>& o
     }
   }
 
+  const VertexGraph graph(mesh);
   Samples samples;
   std::vector<double> distance(end - begin, Infinity);
   std::vector<int> cell(end - begin, 0);
@@ -81,11 +83,11 @@ Samples FarthestPointSamples(const TriangleMesh& mesh, const std::vector<int>& o
         continue;
       }
       const int v = order[rank];
-      mesh.ForEachNeighbor(v,
-        [&](int n)
+      graph.ForEachEdge(v,
+        [&](int n, double length)
         {
           const int other = rankOfVertex[n];
-          const double offer = entry.first + (mesh.Points[n] - mesh.Points[v]).norm();
+          const double offer = entry.first + length;
           if (offer < distance[other - begin])
           {
             distance[other - begin] = offer;
@@ -105,7 +107,7 @@ Samples FarthestPointSamples(const TriangleMesh& mesh, const std::vector<int>& o
   return samples;
 }
 
-/// Sources of one sweep should lie close together: they are taken in breadth-first order.
+/// Sources of one sweep should lie close together: they are taken in the solver's order.
 std::vector<std::vector<int>> Batches(const std::vector<int>& sources)
 {
   std::vector<std::vector<int>> batches;

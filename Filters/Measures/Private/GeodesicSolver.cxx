@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 
 namespace marrow
 {
@@ -16,11 +19,11 @@ constexpr float RelativeGain = 1e-4f;
 // faces, 200 for a million.
 constexpr int MaximumNumberOfSweeps = 1000;
 
-/// Visits until nothing changes any more, as counted on creatures of 20,000 to 1,000,000 faces: 25, 57
-/// and 107 to a vertex. Only progress rests on it.
+/// Visits until nothing changes any more: 18 to a vertex on creatures of 20,000 faces, and more on finer
+/// ones, as counted up to 1,000,000 faces. Only progress rests on it.
 double ExpectedVisits(int numberOfVertices)
 {
-  return numberOfVertices * 25.0 * std::pow(numberOfVertices / 1.0e4, 0.37);
+  return numberOfVertices * 18.0 * std::pow(numberOfVertices / 1.0e4, 0.37);
 }
 }
 
@@ -28,15 +31,9 @@ GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
 {
   std::vector<int> rankOfVertex(mesh.Points.size(), -1);
   this->VertexOfRank.reserve(mesh.Points.size());
-  const auto enqueue = [&](int vertex)
-  {
-    if (rankOfVertex[vertex] < 0)
-    {
-      rankOfVertex[vertex] = static_cast<int>(this->VertexOfRank.size());
-      this->VertexOfRank.push_back(vertex);
-    }
-  };
-  std::size_t front = 0;
+  std::vector<double> distance(mesh.Points.size(), std::numeric_limits<double>::infinity());
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (int seed = 0; seed < mesh.NumberOfVertices(); ++seed)
   {
     if (mesh.Outgoing[seed] < 0 || rankOfVertex[seed] >= 0)
@@ -44,10 +41,28 @@ GeodesicSolver::GeodesicSolver(const TriangleMesh& mesh)
       continue;
     }
     this->BeginOfComponent.push_back(static_cast<int>(this->VertexOfRank.size()));
-    enqueue(seed);
-    for (; front < this->VertexOfRank.size(); ++front)
+    distance[seed] = 0.0;
+    queue.push({ 0.0, seed });
+    while (!queue.empty())
     {
-      mesh.ForEachNeighbor(this->VertexOfRank[front], enqueue);
+      const auto [reached, vertex] = queue.top();
+      queue.pop();
+      if (rankOfVertex[vertex] >= 0)
+      {
+        continue;
+      }
+      rankOfVertex[vertex] = static_cast<int>(this->VertexOfRank.size());
+      this->VertexOfRank.push_back(vertex);
+      mesh.ForEachNeighbor(vertex,
+        [&, from = vertex, base = reached](int next)
+        {
+          const double sum = base + (mesh.Points[next] - mesh.Points[from]).norm();
+          if (sum < distance[next])
+          {
+            distance[next] = sum;
+            queue.push({ sum, next });
+          }
+        });
     }
   }
   this->BeginOfComponent.push_back(static_cast<int>(this->VertexOfRank.size()));

@@ -16,9 +16,9 @@ namespace marrow
 /// an edge fix a point on its far side, and the straight line from there to the third corner counts
 /// if it passes through the edge; otherwise the way goes along an edge. On a developable surface
 /// that is exact, elsewhere the error is some tenths of a percent. Offers are monotone in the
-/// distances they start from, so sweeps to and fro over the vertices in breadth-first order
-/// converge from above whatever the order; an offer is looked at again only where one of the two
-/// distances that it starts from has changed.
+/// distances they start from, so sweeps to and fro over the vertices converge from above whatever the
+/// order, and soonest if it is that of the distances along edges from some vertex; an offer is looked at
+/// again only where one of the two distances that it starts from has changed.
 ///
 /// All sources of a call are carried through the sweep together, one in each lane: the geometry is
 /// read once for all of them, and the compiler turns the lanes into vector instructions.
@@ -29,7 +29,7 @@ public:
 
   explicit GeodesicSolver(const TriangleMesh& mesh);
 
-  /// The vertices in breadth-first order, component after component; points that no triangle uses
+  /// The vertices by their way along edges from the first one, component after component; points that no triangle uses
   /// are left out. Distances are given in this order.
   const std::vector<int>& Order() const { return this->VertexOfRank; }
   /// Component c is made of the ranks from ComponentBegin()[c] to ComponentBegin()[c + 1].

@@ -40,13 +40,15 @@ bool HasBit(const HomologyClass& value, std::size_t bit)
   return (value[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
-bool Contains(const std::vector<int>& values, int value)
+template <typename Values>
+bool Contains(const Values& values, int value)
 {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
 /// Removes one occurrence, not keeping the order; false if there is none.
-bool Remove(std::vector<int>& values, int value)
+template <typename Values>
+bool Remove(Values& values, int value)
 {
   const auto found = std::find(values.begin(), values.end(), value);
   if (found == values.end())

@@ -5,6 +5,8 @@
 #include "HomologyAnnotation.h"
 #include "TriangleMesh.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <vector>
 
 namespace marrow
@@ -20,7 +22,7 @@ public:
     int A;
     int B;
     bool Alive;
-    std::vector<int> Apexes; ///< the third vertices of its triangles
+    boost::container::small_vector<int, 4> Apexes; ///< the third vertices of its triangles
     HomologyClass Class;
   };
   struct Spoke
@@ -28,6 +30,8 @@ public:
     int Neighbor;
     int Edge;
   };
+
+  using SpokeList = boost::container::small_vector<Spoke, 8>;
 
   explicit CollapseComplex(const TriangleMesh& closedMesh);
 
@@ -40,7 +44,7 @@ public:
 
   bool IsAlive(int vertex) const { return this->Alive[vertex]; }
   const Edge& EdgeAt(int edge) const { return this->Edges[edge]; }
-  const std::vector<Spoke>& SpokesOf(int vertex) const { return this->Spokes[vertex]; }
+  const SpokeList& SpokesOf(int vertex) const { return this->Spokes[vertex]; }
   /// The vertices that were merged into `vertex`, itself among them.
   const std::vector<int>& MergedInto(int vertex) const { return this->Merged[vertex]; }
   int FindEdge(int a, int b) const;
@@ -62,7 +66,7 @@ private:
   void RemoveSpoke(int vertex, int neighbor);
 
   std::vector<Edge> Edges;
-  std::vector<std::vector<Spoke>> Spokes;
+  std::vector<SpokeList> Spokes;
   std::vector<std::vector<int>> Merged;
   std::vector<char> Alive;
   int TriangleCount = 0;

@@ -15,6 +15,9 @@ constexpr double SamplingWeight = 0.1;
 /// A loop that may be closed is short against the perimeter of the part it goes around: on the shrunk
 /// mesh a loop around a tube has nearly no length, one through a hole at least the hole's own.
 constexpr double TubeLoop = 0.5;
+/// The cost of what is not done.
+constexpr double Never = std::numeric_limits<double>::infinity();
+constexpr int StepsPerReport = 256;
 }
 
 EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& position,
@@ -23,7 +26,9 @@ EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const std::vector<Eigen::
   , Position(position)
   , MSP(msp)
   , Quadric(position.size())
-  , Stamp(position.size(), 0)
+  , Costs(2 * static_cast<std::size_t>(this->Complex.NumberOfEdges()), Never)
+  , CheapestEdges(position.size(), -1)
+  , Cheapest(std::vector<double>(position.size(), Never))
 {
   for (int e = 0; e < this->Complex.NumberOfEdges(); ++e)
   {
@@ -43,21 +48,22 @@ bool EdgeCollapser::Run(const Progress& progress)
 {
   for (int v = 0; v < this->Complex.NumberOfVertices(); ++v)
   {
+    const double length = this->LengthOfSpokes(v);
     for (const auto& spoke : this->Complex.SpokesOf(v))
     {
-      this->Push(v, spoke);
+      this->SetCost(v, length, spoke);
     }
+    this->UpdateCheapest(v);
   }
   const int atStart = std::max(1, this->Complex.NumberOfTriangles());
   for (;;)
   {
     int steps = 0;
-    while (!this->Queue.empty() && this->Complex.NumberOfTriangles() > 0)
+    while (this->Complex.NumberOfTriangles() > 0 &&
+      this->Cheapest.ValueAt(this->Cheapest.Least()) < Never)
     {
-      const Entry entry = this->Queue.top();
-      this->Queue.pop();
-      this->Try(entry);
-      if (++steps % 4096 == 0 &&
+      this->Try(this->Cheapest.Least());
+      if (++steps % StepsPerReport == 0 &&
         !Report(progress, 1.0 - static_cast<double>(this->Complex.NumberOfTriangles()) / atStart))
       {
         return false;
@@ -70,36 +76,60 @@ bool EdgeCollapser::Run(const Progress& progress)
   }
 }
 
-void EdgeCollapser::Push(int from, const CollapseComplex::Spoke& spoke)
+double EdgeCollapser::LengthOfSpokes(int vertex) const
 {
+  double length = 0.0;
+  for (const auto& spoke : this->Complex.SpokesOf(vertex))
+  {
+    length += (this->Position[vertex] - this->Position[spoke.Neighbor]).norm();
+  }
+  return length;
+}
+
+void EdgeCollapser::SetCost(int from, double lengthOfSpokes, const CollapseComplex::Spoke& spoke)
+{
+  double& cost = this->CostOf(from, spoke.Edge);
   if (this->Complex.EdgeAt(spoke.Edge).Apexes.empty())
   {
+    cost = Never;
     return;
-  }
-  double reach = 0.0;
-  for (const auto& other : this->Complex.SpokesOf(from))
-  {
-    reach += (this->Position[from] - this->Position[other.Neighbor]).norm();
   }
   const Eigen::Vector3d& to = this->Position[spoke.Neighbor];
   const double shape = this->Quadric[from](to) + this->Quadric[spoke.Neighbor](to);
-  const double sampling = (this->Position[from] - to).norm() * reach;
-  this->Queue.push({ shape + SamplingWeight * sampling, from, spoke.Neighbor,
-    this->Stamp[from] + this->Stamp[spoke.Neighbor] });
+  const double sampling = (this->Position[from] - to).norm() * lengthOfSpokes;
+  cost = shape + SamplingWeight * sampling;
 }
 
-void EdgeCollapser::Try(const Entry& entry)
+void EdgeCollapser::UpdateCheapest(int from)
 {
-  if (this->Stamp[entry.From] + this->Stamp[entry.To] != entry.Stamp ||
-    !this->Complex.IsAlive(entry.From) || !this->Complex.IsAlive(entry.To))
+  double least = Never;
+  int neighbor = -1;
+  for (const auto& spoke : this->Complex.SpokesOf(from))
   {
-    return;
+    const double cost = this->CostOf(from, spoke.Edge);
+    if (cost < least || (cost == least && cost < Never && spoke.Neighbor < neighbor))
+    {
+      least = cost;
+      neighbor = spoke.Neighbor;
+      this->CheapestEdges[from] = spoke.Edge;
+    }
   }
-  const int edge = this->Complex.FindEdge(entry.From, entry.To);
-  if (edge >= 0 && !this->Complex.EdgeAt(edge).Apexes.empty() &&
-    this->LoopToPerimeter(entry.From, entry.To, edge) <= TubeLoop)
+  this->Cheapest.Change(from, least);
+}
+
+void EdgeCollapser::Try(int from)
+{
+  const int e = this->CheapestEdges[from];
+  const auto& edge = this->Complex.EdgeAt(e);
+  const int to = edge.A == from ? edge.B : edge.A;
+  if (!edge.Apexes.empty() && this->LoopToPerimeter(from, to, e) <= TubeLoop)
   {
-    this->Collapse(entry.From, entry.To, edge);
+    this->Collapse(from, to, e);
+  }
+  else
+  {
+    this->CostOf(from, e) = Never;
+    this->UpdateCheapest(from);
   }
 }
 
@@ -107,13 +137,15 @@ void EdgeCollapser::Collapse(int from, int to, int edge)
 {
   this->Complex.Collapse(from, to, edge);
   this->Quadric[to].Add(this->Quadric[from]);
-  // The sum of two stamps grows with every change of either end, so it tells an entry's age.
-  ++this->Stamp[to];
+  this->Cheapest.Change(from, Never);
+  const double length = this->LengthOfSpokes(to);
   for (const auto& spoke : this->Complex.SpokesOf(to))
   {
-    this->Push(to, spoke);
-    this->Push(spoke.Neighbor, { to, spoke.Edge });
+    this->SetCost(to, length, spoke);
+    this->SetCost(spoke.Neighbor, this->LengthOfSpokes(spoke.Neighbor), { to, spoke.Edge });
+    this->UpdateCheapest(spoke.Neighbor);
   }
+  this->UpdateCheapest(to);
 }
 
 double EdgeCollapser::LoopToPerimeter(int from, int to, int edge) const

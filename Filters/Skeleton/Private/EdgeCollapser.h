@@ -4,8 +4,8 @@
 
 #include "CollapseComplex.h"
 #include "Progress.h"
+#include "TournamentTree.h"
 
-#include <queue>
 #include <vector>
 
 namespace marrow
@@ -51,22 +51,18 @@ public:
   const CollapseComplex& GetComplex() const { return this->Complex; }
 
 private:
-  struct Entry
+  double& CostOf(int from, int edge)
   {
-    double Cost;
-    int From;
-    int To;
-    int Stamp;
-    bool operator<(const Entry& other) const
-    {
-      return Cost != other.Cost ? Cost > other.Cost
-                                : (From != other.From ? From > other.From : To > other.To);
-    }
-  };
-
-  /// Puts the collapse of `from` onto a neighbour into the queue.
-  void Push(int from, const CollapseComplex::Spoke& spoke);
-  void Try(const Entry& entry);
+    return this->Costs[2 * edge + (this->Complex.EdgeAt(edge).A == from ? 0 : 1)];
+  }
+  /// The sum of the lengths of a vertex's edges.
+  double LengthOfSpokes(int vertex) const;
+  /// What the collapse of `from`, whose edges are so long, onto a neighbour costs.
+  void SetCost(int from, double lengthOfSpokes, const CollapseComplex::Spoke& spoke);
+  /// Looks again for a vertex's cheapest collapse.
+  void UpdateCheapest(int from);
+  /// Collapses a vertex where that is cheapest, or never there again if it may not.
+  void Try(int from);
   void Collapse(int from, int to, int edge);
   /// The longest loop that the collapse would close, over the perimeter of its part; 0 if every one
   /// bounds, infinite if no more may be closed.
@@ -78,8 +74,9 @@ private:
   const std::vector<Eigen::Vector3d>& Position;
   const std::vector<double>& MSP;
   std::vector<LineQuadric> Quadric;
-  std::vector<int> Stamp;
-  std::priority_queue<Entry> Queue;
+  std::vector<double> Costs;      ///< per edge those of its collapse one way and the other
+  std::vector<int> CheapestEdges; ///< per vertex
+  TournamentTree Cheapest;        ///< per vertex the cost of its collapse along that edge
 };
 }
 

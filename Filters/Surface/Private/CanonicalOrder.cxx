@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace marrow
 {
@@ -51,11 +51,67 @@ std::vector<Place> PlacesOfPoints(const PolygonMesh& mesh)
   return places;
 }
 
-std::vector<int> Numbers(std::size_t size)
+std::vector<int> PointsByPlace(const std::vector<Place>& places)
 {
-  std::vector<int> numbers(size);
-  std::iota(numbers.begin(), numbers.end(), 0);
-  return numbers;
+  // The first coordinate beside the number: it decides nearly always.
+  std::vector<std::pair<double, int>> order;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    order.emplace_back(places[i][0], static_cast<int>(i));
+  }
+  std::sort(order.begin(), order.end(),
+    [&](const auto& a, const auto& b)
+    {
+      return a.first != b.first
+        ? a.first < b.first
+        : std::tie(places[a.second], a.second) < std::tie(places[b.second], b.second);
+    });
+  std::vector<int> points;
+  for (const auto& entry : order)
+  {
+    points.push_back(entry.second);
+  }
+  return points;
+}
+
+/// corner(polygon, k) are a polygon's points from that of least rank on.
+template <typename Corner>
+std::vector<int> PolygonsByCorners(
+  const PolygonMesh& mesh, const std::vector<int>& rankOfPlace, const Corner& corner)
+{
+  // The rank of the first corner beside the number: few polygons share it.
+  std::vector<std::pair<int, int>> order;
+  for (int polygon = 0; polygon < mesh.NumberOfPolygons(); ++polygon)
+  {
+    order.emplace_back(mesh.SizeOf(polygon) > 0 ? rankOfPlace[corner(polygon, 0)] : -1, polygon);
+  }
+  std::sort(order.begin(), order.end(),
+    [&](const std::pair<int, int>& x, const std::pair<int, int>& y)
+    {
+      if (x.first != y.first)
+      {
+        return x.first < y.first;
+      }
+      const int a = x.second;
+      const int b = y.second;
+      const int common = std::min(mesh.SizeOf(a), mesh.SizeOf(b));
+      for (int k = 0; k < common; ++k)
+      {
+        const int ofA = rankOfPlace[corner(a, k)];
+        const int ofB = rankOfPlace[corner(b, k)];
+        if (ofA != ofB)
+        {
+          return ofA < ofB;
+        }
+      }
+      return std::pair(mesh.SizeOf(a), a) < std::pair(mesh.SizeOf(b), b);
+    });
+  std::vector<int> polygons;
+  for (const auto& entry : order)
+  {
+    polygons.push_back(entry.second);
+  }
+  return polygons;
 }
 }
 
@@ -63,9 +119,7 @@ CanonicalPolygons InCanonicalOrder(const PolygonMesh& input)
 {
   const std::vector<Place> places = PlacesOfPoints(input);
   CanonicalPolygons result;
-  result.OriginalPoint = Numbers(input.Points.size());
-  std::sort(result.OriginalPoint.begin(), result.OriginalPoint.end(),
-    [&](int a, int b) { return std::tie(places[a], a) < std::tie(places[b], b); });
+  result.OriginalPoint = PointsByPlace(places);
   std::vector<int> rank(input.Points.size());
   // Points in one place share a rank in the order of the polygons: which of them a polygon uses is chance.
   std::vector<int> rankOfPlace(input.Points.size());
@@ -92,23 +146,12 @@ CanonicalPolygons InCanonicalOrder(const PolygonMesh& input)
     }
   }
   const auto corner = [&](int polygon, int k)
-  { return input.CornersOf(polygon)[(begin[polygon] + k) % input.SizeOf(polygon)]; };
-  result.OriginalPolygon = Numbers(begin.size());
-  std::sort(result.OriginalPolygon.begin(), result.OriginalPolygon.end(),
-    [&](int a, int b)
-    {
-      const int common = std::min(input.SizeOf(a), input.SizeOf(b));
-      for (int k = 0; k < common; ++k)
-      {
-        const int ofA = rankOfPlace[corner(a, k)];
-        const int ofB = rankOfPlace[corner(b, k)];
-        if (ofA != ofB)
-        {
-          return ofA < ofB;
-        }
-      }
-      return std::pair(input.SizeOf(a), a) < std::pair(input.SizeOf(b), b);
-    });
+  {
+    const int size = input.SizeOf(polygon);
+    const int place = begin[polygon] + k;
+    return input.CornersOf(polygon)[place < size ? place : place - size];
+  };
+  result.OriginalPolygon = PolygonsByCorners(input, rankOfPlace, corner);
   for (int polygon : result.OriginalPolygon)
   {
     for (int k = 0; k < input.SizeOf(polygon); ++k)

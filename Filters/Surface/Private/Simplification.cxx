@@ -2,8 +2,8 @@
 #include "Simplification.h"
 
 #include "EdgeOperations.h"
+#include "NearestDownhill.h"
 #include "Quadric.h"
-#include "TriangleTree.h"
 
 #include <Eigen/Geometry>
 
@@ -222,38 +222,6 @@ private:
   std::vector<Candidate> Candidates;
   int PassNumber = 0;
 };
-
-/// Downhill from a triangle to the one that is nearest to a point, over those that share a corner.
-int DescendToNearest(const TriangleMesh& mesh, const Eigen::Vector3d& point, int start)
-{
-  auto squaredDistance = [&](int t)
-  {
-    const auto& c = mesh.Triangles[t];
-    return (
-      point - NearestOnTriangle(point, mesh.Points[c[0]], mesh.Points[c[1]], mesh.Points[c[2]]))
-      .squaredNorm();
-  };
-  int best = start;
-  double least = squaredDistance(start);
-  for (int last = -1; last != best;)
-  {
-    last = best;
-    for (int corner : mesh.Triangles[last])
-    {
-      mesh.ForEachOutgoing(corner,
-        [&](int h)
-        {
-          const double distance = h / 3 != last ? squaredDistance(h / 3) : least;
-          if (distance < least)
-          {
-            least = distance;
-            best = h / 3;
-          }
-        });
-    }
-  }
-  return best;
-}
 }
 
 bool SimplifyMesh(
@@ -315,12 +283,13 @@ bool SimplifyMesh(
       output.VertexOfOld[v] = newVertex[collapsing.Survivor(v)];
     }
   }
+  const NearestDownhill nearestDownhill(output.Mesh);
   output.TriangleOfOld.resize(mesh.Triangles.size());
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     const int corner = output.VertexOfOld[mesh.Triangles[t][0]];
     const int from = newTriangle[t] >= 0 ? newTriangle[t] : output.Mesh.Outgoing[corner] / 3;
-    output.TriangleOfOld[t] = DescendToNearest(output.Mesh, mesh.Centroid(t), from);
+    output.TriangleOfOld[t] = nearestDownhill.Find(mesh.Centroid(t), from);
   }
   // The survivor may have come from further away than a corner of the nearest triangle.
   for (int v = 0; v < numberOfOld; ++v)

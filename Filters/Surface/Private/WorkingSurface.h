@@ -14,7 +14,7 @@ namespace marrow
 {
 struct WorkingSurfaceParameters
 {
-  int MaximumFaces = 60000; ///< default of vtkWorkingSurface
+  int MaximumFaces = 30000; ///< default of vtkWorkingSurface
 };
 
 /// The oriented manifold on which the method runs, and what it has to do with the mesh it was made of.

@@ -5,7 +5,6 @@
 #include "AnswerSearch.h"
 #include "SkeletonMap.h"
 #include "WeightedMedian.h"
-#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +78,7 @@ std::vector<SurfaceHint> ToCoarse(
 }
 }
 
-AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
+AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, DenseMapper& mapper,
   const Answer& answer, const std::vector<SurfaceHint>& hints)
 {
   const auto mapBySkeletons = [&]()
@@ -137,10 +136,8 @@ AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target
   }
   const std::vector<SurfaceHint> coarseHints = ToCoarse(coarseSource, coarseTarget, hints);
   const std::vector<SurfaceHint> turnedHints = Turned(coarseHints);
-  const DenseMapper there(coarseSource.Side, coarseTarget.Side, {},
-    AlignWhole(coarseSource.Side.Mesh, coarseTarget.Side.Mesh, coarseHints));
-  const DenseMapper back(coarseTarget.Side, coarseSource.Side, {},
-    AlignWhole(coarseTarget.Side.Mesh, coarseSource.Side.Mesh, turnedHints));
+  DenseMapper there(coarseSource.Side, coarseTarget.Side, {}, coarseHints);
+  DenseMapper back(coarseTarget.Side, coarseSource.Side, {}, turnedHints);
   std::vector<double> against;
   for (const Answer& answer : answers)
   {

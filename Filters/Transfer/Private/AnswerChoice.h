@@ -59,7 +59,7 @@ struct AnswerTrial
 };
 
 /// `mapper` is that of the two coarse meshes, and the hints speak of their vertices.
-AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, const DenseMapper& mapper,
+AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, DenseMapper& mapper,
   const Answer& answer, const std::vector<SurfaceHint>& hints = {});
 
 /// By the mean of Evidence's sum there and back, per answer (at least one): the indices, the likeliest

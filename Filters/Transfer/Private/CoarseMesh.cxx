@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoarseMesh.h"
 
+#include "VertexGraph.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,11 +39,12 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
   {
     center += point / n;
   }
+  const VertexGraph graph(mesh);
   Cells cells;
   cells.CellOfVertex.assign(n, -1);
   std::vector<double> distance(n, infinity);
-  // Far vertices first, of those not reached yet the outermost; an entry holds as long as the
-  // distance has not changed since.
+  // Far vertices first, of those not reached yet the outermost. An entry may be out of date, but distances
+  // only fall: one that comes up too early goes back to where it belongs.
   std::priority_queue<std::tuple<double, double, int>> far;
   for (int v = 0; v < n; ++v)
   {
@@ -55,9 +58,14 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
     const double away = std::get<0>(far.top());
     const int start = std::get<2>(far.top());
     far.pop();
-    if (away != distance[start] || away == 0.0)
+    if (away != distance[start])
     {
+      far.push({ distance[start], 0.0, start });
       continue;
+    }
+    if (away == 0.0)
+    {
+      break;
     }
     const int cell = static_cast<int>(cells.Samples.size());
     cells.Samples.push_back(start);
@@ -73,11 +81,10 @@ Cells FarthestPointCells(const TriangleMesh& mesh)
         continue;
       }
       cells.CellOfVertex[v] = cell;
-      far.push({ reached, 0.0, v });
-      mesh.ForEachNeighbor(v,
-        [&, from = v, base = reached](int next)
+      graph.ForEachEdge(v,
+        [&, base = reached](int next, double length)
         {
-          const double sum = base + (mesh.Points[next] - mesh.Points[from]).norm();
+          const double sum = base + length;
           if (sum < distance[next])
           {
             distance[next] = sum;

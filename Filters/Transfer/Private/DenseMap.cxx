@@ -3,6 +3,7 @@
 
 #include "ParallelFor.h"
 #include "SlicePlaces.h"
+#include "WholeAlignment.h"
 
 #include <Eigen/Geometry>
 
@@ -33,21 +34,6 @@ double MeanRadius(const AnalyzedMesh& side)
   return total > 0.0 && sum > 0.0 ? sum / total : 0.02 * side.Diagonal();
 }
 
-/// Per vertex the 3 x 4 transformation to the source, flattened to a row, smoothed over the surface.
-Eigen::MatrixXd SmoothTransforms(const AnalyzedMesh& target,
-  const std::vector<SkeletonMap::Place>& places, const Eigen::Matrix<double, 3, 4>& whole,
-  const MeshSmoother& smoother)
-{
-  Eigen::MatrixXd rows(target.Mesh.NumberOfVertices(), 12);
-  for (int v = 0; v < target.Mesh.NumberOfVertices(); ++v)
-  {
-    const int node = target.NodeOfVertex[v];
-    const auto& transform = node >= 0 && places[node].Known ? places[node].Transform : whole;
-    rows.row(v) = Eigen::Map<const Eigen::RowVectorXd>(transform.data(), 12);
-  }
-  return smoother.Smooth(rows);
-}
-
 std::vector<SourceSearch::Query> QueriesAsWhole(
   const TriangleMesh& mesh, const Eigen::Matrix<double, 3, 4>& whole, double radius)
 {
@@ -71,14 +57,73 @@ double CertaintyOf(const SkeletonMap::Place& place)
   return place.Matched ? 1.0 : place.IsLeftover ? ofLeftover : LeastCertainty;
 }
 
-std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
-  const AnalyzedMesh& target, const std::vector<SkeletonMap::Place>& places,
-  const Eigen::Matrix<double, 3, 4>& whole, const MeshSmoother& smoother,
-  std::vector<double>& certainty)
+}
+
+DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const std::vector<bool>& isFindable, const std::vector<SurfaceHint>& hints)
+  : DenseMapper(
+      source, target, std::make_shared<SourceSearch>(source, isFindable), SmootherOf(target))
 {
-  const TriangleMesh& mesh = target.Mesh;
+  this->Hints = hints;
+}
+
+DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  std::shared_ptr<const SourceSearch> search, std::shared_ptr<const MeshSmoother> smoother)
+  : Source(source)
+  , Target(target)
+  , Search(std::move(search))
+  , Smoother(std::move(smoother))
+  , Areas(target.Mesh.VertexAreas())
+{
+}
+
+std::shared_ptr<const MeshSmoother> DenseMapper::SmootherOf(const AnalyzedMesh& target)
+{
+  return std::make_shared<MeshSmoother>(target.Mesh, 0.5 * MeanRadius(target));
+}
+
+const Eigen::Matrix<double, 3, 4>& DenseMapper::GetAlignment()
+{
+  if (!this->Alignment)
+  {
+    this->Alignment = AlignWhole(this->Source.Mesh, this->Target.Mesh, this->Hints);
+  }
+  return *this->Alignment;
+}
+
+const DenseMapper::WholeMap& DenseMapper::GetWhole()
+{
+  if (!this->Whole)
+  {
+    this->Whole.emplace();
+    this->Whole->Queries =
+      QueriesAsWhole(this->Target.Mesh, this->GetAlignment(), 0.05 * this->Source.Diagonal());
+    this->Whole->Found = this->FindAll(this->Whole->Queries, this->Whole->Candidates);
+    this->Whole->Misfit = this->Misfit(this->Whole->Queries, this->Whole->Found);
+  }
+  return *this->Whole;
+}
+
+/// Per vertex the 3 x 4 transformation to the source, flattened to a row, smoothed over the surface.
+Eigen::MatrixXd DenseMapper::SmoothTransforms(const std::vector<SkeletonMap::Place>& places)
+{
+  Eigen::MatrixXd rows(this->Target.Mesh.NumberOfVertices(), 12);
+  for (int v = 0; v < this->Target.Mesh.NumberOfVertices(); ++v)
+  {
+    const int node = this->Target.NodeOfVertex[v];
+    const auto& transform =
+      node >= 0 && places[node].Known ? places[node].Transform : this->GetAlignment();
+    rows.row(v) = Eigen::Map<const Eigen::RowVectorXd>(transform.data(), 12);
+  }
+  return this->Smoother->Smooth(rows);
+}
+
+std::vector<SourceSearch::Query> DenseMapper::QueriesBySkeleton(
+  const std::vector<SkeletonMap::Place>& places, std::vector<double>& certainty)
+{
+  const TriangleMesh& mesh = this->Target.Mesh;
   const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
-  const Eigen::MatrixXd transforms = SmoothTransforms(target, places, whole, smoother);
+  const Eigen::MatrixXd transforms = this->SmoothTransforms(places);
   std::vector<SourceSearch::Query> queries(mesh.NumberOfVertices());
   certainty.assign(mesh.NumberOfVertices(), 1.0);
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
@@ -88,56 +133,30 @@ std::vector<SourceSearch::Query> QueriesBySkeleton(const AnalyzedMesh& source,
     {
       transform.data()[k] = transforms(v, k);
     }
-    const int node = target.NodeOfVertex[v];
+    const int node = this->Target.NodeOfVertex[v];
     const bool known = node >= 0 && places[node].Known;
     SourceSearch::Query& query = queries[v];
     query.Position = transform.leftCols<3>() * mesh.Points[v] + transform.col(3);
     query.Normal = (transform.leftCols<3>() * normals[v]).normalized();
     query.Node = known ? places[node].SourceNode : -1;
-    query.Radius = known ? places[node].Radius : 0.05 * source.Diagonal();
+    query.Radius = known ? places[node].Radius : 0.05 * this->Source.Diagonal();
     certainty[v] = node >= 0 ? CertaintyOf(places[node]) : LeastCertainty;
   }
   return queries;
 }
 
-}
-
-DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  const std::vector<bool>& isFindable, const Eigen::Matrix<double, 3, 4>& whole)
-  : DenseMapper(
-      source, target, std::make_shared<SourceSearch>(source, isFindable), SmootherOf(target), whole)
-{
-}
-
-std::shared_ptr<const MeshSmoother> DenseMapper::SmootherOf(const AnalyzedMesh& target)
-{
-  return std::make_shared<MeshSmoother>(target.Mesh, 0.5 * MeanRadius(target));
-}
-
-DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
-  std::shared_ptr<const SourceSearch> search, std::shared_ptr<const MeshSmoother> smoother,
-  const Eigen::Matrix<double, 3, 4>& whole)
-  : Source(source)
-  , Target(target)
-  , Whole(whole)
-  , Search(std::move(search))
-  , Smoother(std::move(smoother))
-  , Areas(target.Mesh.VertexAreas())
-  , WholeQueries(QueriesAsWhole(target.Mesh, whole, 0.05 * source.Diagonal()))
-{
-  this->WholeFound = this->FindAll(this->WholeQueries);
-  this->WholeMisfit = this->Misfit(this->WholeQueries, this->WholeFound);
-}
-
-std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& queries) const
+std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& queries,
+  std::vector<SourceSearch::Candidates>& candidates) const
 {
   std::vector<int> found(queries.size());
+  candidates.resize(queries.size());
   ParallelFor(0, static_cast<int>(queries.size()),
     [&](int first, int last)
     {
       for (int v = first; v < last; ++v)
       {
-        found[v] = this->Search->Find(queries[v]);
+        this->Search->UpdateCandidates(queries[v], candidates[v]);
+        found[v] = this->Search->Best(queries[v], candidates[v]);
       }
     });
   return found;
@@ -174,29 +193,28 @@ double DenseMapper::Standoff(const DenseMap& map) const
 }
 
 DenseMap DenseMapper::Map(
-  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const
+  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress)
 {
   const int numberOfVertices = this->Target.Mesh.NumberOfVertices();
   DenseMap map;
-  map.Places = this->WholeQueries;
-  map.FoundTriangles = this->WholeFound;
-  map.Certainty.assign(numberOfVertices, 1.0);
   if (anyMatched)
   {
-    std::vector<double> certainty;
-    std::vector<SourceSearch::Query> queries = QueriesBySkeleton(
-      this->Source, this->Target, places, this->Whole, *this->Smoother, certainty);
-    std::vector<int> found = this->FindAll(queries);
+    map.Places = this->QueriesBySkeleton(places, map.Certainty);
+    map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
     // A correspondence that is wrong brings the surfaces together no better than none.
     constexpr double goodEnough = 0.2;
     constexpr double clearlyBetter = 0.85;
-    if (this->Misfit(queries, found) < std::max(goodEnough, clearlyBetter * this->WholeMisfit))
-    {
-      map.Places = std::move(queries);
-      map.FoundTriangles = std::move(found);
-      map.Certainty = std::move(certainty);
-      map.IsWholeAlignment = false;
-    }
+    const double misfit = this->Misfit(map.Places, map.FoundTriangles);
+    map.IsWholeAlignment =
+      !(misfit < goodEnough || misfit < clearlyBetter * this->GetWhole().Misfit);
+  }
+  if (map.IsWholeAlignment)
+  {
+    const WholeMap& whole = this->GetWhole();
+    map.Places = whole.Queries;
+    map.Candidates = whole.Candidates;
+    map.FoundTriangles = whole.Found;
+    map.Certainty.assign(numberOfVertices, 1.0);
   }
   this->Correct(map, progress);
   return map;
@@ -206,7 +224,7 @@ DenseMap DenseMapper::Map(const SliceAlignment& alignment, const Progress& progr
 {
   DenseMap map;
   map.Places = PlacesBySlices(this->Source, this->Target.Mesh, alignment, *this->Search);
-  map.FoundTriangles = this->FindAll(map.Places);
+  map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
   map.Certainty.assign(map.Places.size(), 1.0);
   map.IsWholeAlignment = false;
   this->Correct(map, progress);
@@ -235,7 +253,7 @@ void DenseMapper::Correct(DenseMap& map, const Progress& progress) const
     {
       map.Places[v].Position += displacements.row(v).transpose();
     }
-    map.FoundTriangles = this->FindAll(map.Places);
+    map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
   }
 }
 
@@ -249,7 +267,7 @@ Eigen::MatrixXd DenseMapper::Shares(
     {
       for (int v = first; v < last; ++v)
       {
-        for (const auto& [triangle, weight] : this->Search->FindSeveral(map.Places[v]))
+        for (const auto& [triangle, weight] : this->Search->Weigh(map.Places[v], map.Candidates[v]))
         {
           shares(v, segmentOfTriangle[triangle]) += weight;
         }

@@ -3,6 +3,7 @@
 #define marrow_DenseMap_h
 
 #include "AnalyzedMesh.h"
+#include "Guidance.h"
 #include "MeshSmoother.h"
 #include "Progress.h"
 #include "SkeletonMap.h"
@@ -12,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace marrow
@@ -21,6 +23,7 @@ struct DenseMap
 {
   /// Per target vertex its place in the source's space, with which the surface there is searched.
   std::vector<SourceSearch::Query> Places;
+  std::vector<SourceSearch::Candidates> Candidates; ///< per target vertex, near its place
   std::vector<int> FoundTriangles; ///< per target vertex the source's triangle there
   std::vector<double> Certainty;   ///< per target vertex: 1 on matched branches, else less
   bool IsWholeAlignment = true;    ///< the skeletons were of no use
@@ -44,19 +47,18 @@ class DenseMapper
 {
 public:
   /// Triangles of the source with `isFindable` false are skipped: their place goes to their
-  /// neighbours; empty: none is. `whole` is AlignWhole's.
+  /// neighbours; empty: none is. The alignment as a whole keeps to the hints.
   DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
-    const std::vector<bool>& isFindable, const Eigen::Matrix<double, 3, 4>& whole);
+    const std::vector<bool>& isFindable, const std::vector<SurfaceHint>& hints = {});
   /// The same with what is found out about each side alone, for many pairs of the same meshes.
   DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
-    std::shared_ptr<const SourceSearch> search, std::shared_ptr<const MeshSmoother> smoother,
-    const Eigen::Matrix<double, 3, 4>& whole);
+    std::shared_ptr<const SourceSearch> search, std::shared_ptr<const MeshSmoother> smoother);
 
   /// What smoothes the map over a target.
   static std::shared_ptr<const MeshSmoother> SmootherOf(const AnalyzedMesh& target);
 
   DenseMap Map(
-    const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress) const;
+    const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress);
 
   /// The same for surfaces of revolution.
   DenseMap Map(const SliceAlignment& alignment, const Progress& progress) const;
@@ -67,7 +69,22 @@ public:
     const DenseMap& map, const std::vector<int>& segmentOfTriangle, int numberOfSegments) const;
 
 private:
-  std::vector<int> FindAll(const std::vector<SourceSearch::Query>& queries) const;
+  /// The target aligned as a whole, and what its vertices find. Seldom needed, so made when it is.
+  struct WholeMap
+  {
+    std::vector<SourceSearch::Query> Queries;
+    std::vector<SourceSearch::Candidates> Candidates;
+    std::vector<int> Found;
+    double Misfit = 1.0;
+  };
+  const Eigen::Matrix<double, 3, 4>& GetAlignment();
+  const WholeMap& GetWhole();
+
+  Eigen::MatrixXd SmoothTransforms(const std::vector<SkeletonMap::Place>& places);
+  std::vector<SourceSearch::Query> QueriesBySkeleton(
+    const std::vector<SkeletonMap::Place>& places, std::vector<double>& certainty);
+  std::vector<int> FindAll(const std::vector<SourceSearch::Query>& queries,
+    std::vector<SourceSearch::Candidates>& candidates) const;
   double Misfit(
     const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const;
   double Standoff(const DenseMap& map) const;
@@ -75,13 +92,12 @@ private:
 
   const AnalyzedMesh& Source;
   const AnalyzedMesh& Target;
-  Eigen::Matrix<double, 3, 4> Whole;
   std::shared_ptr<const SourceSearch> Search;
   std::shared_ptr<const MeshSmoother> Smoother;
   std::vector<double> Areas; ///< per target vertex
-  std::vector<SourceSearch::Query> WholeQueries;
-  std::vector<int> WholeFound;
-  double WholeMisfit = 1.0;
+  std::vector<SurfaceHint> Hints;
+  std::optional<Eigen::Matrix<double, 3, 4>> Alignment;
+  std::optional<WholeMap> Whole;
 };
 }
 

@@ -58,15 +58,47 @@ MeshSmoother::MeshSmoother(const TriangleMesh& mesh, double width)
 
 Eigen::MatrixXd MeshSmoother::Smooth(const Eigen::MatrixXd& values) const
 {
+  const Eigen::Index blocks = (values.cols() + ColumnsAtOnce - 1) / ColumnsAtOnce;
   Eigen::MatrixXd result(values.rows(), values.cols());
-  ParallelFor(0, static_cast<int>(values.cols()),
+  ParallelFor(0, static_cast<int>(blocks),
     [&](int first, int last)
     {
-      for (int c = first; c < last; ++c)
+      for (Eigen::Index block = first; block < last; ++block)
       {
-        result.col(c) = this->Solver.solve(this->Mass.cwiseProduct(values.col(c)));
+        const Eigen::Index begin = block * ColumnsAtOnce;
+        const Eigen::Index count = std::min<Eigen::Index>(ColumnsAtOnce, values.cols() - begin);
+        Columns columns = Columns::Zero(values.rows(), ColumnsAtOnce);
+        columns.leftCols(count) =
+          this->Solver.permutationP() * (this->Mass.asDiagonal() * values.middleCols(begin, count));
+        this->Solve(columns);
+        result.middleCols(begin, count) = this->Solver.permutationPinv() * columns.leftCols(count);
       }
     });
   return result;
+}
+
+void MeshSmoother::Solve(Columns& columns) const
+{
+  const Eigen::SparseMatrix<double>& factor = this->Solver.matrixL().nestedExpression();
+  using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+  for (Eigen::Index j = 0; j < factor.cols(); ++j)
+  {
+    Entry entry(factor, j); // the diagonal comes first
+    columns.row(j) /= entry.value();
+    for (++entry; entry; ++entry)
+    {
+      columns.row(entry.row()) -= entry.value() * columns.row(j);
+    }
+  }
+  for (Eigen::Index j = factor.cols(); j-- > 0;)
+  {
+    Entry entry(factor, j);
+    const double diagonal = entry.value();
+    for (++entry; entry; ++entry)
+    {
+      columns.row(j) -= entry.value() * columns.row(entry.row());
+    }
+    columns.row(j) /= diagonal;
+  }
 }
 }

@@ -25,6 +25,11 @@ public:
   Eigen::MatrixXd Smooth(const Eigen::MatrixXd& values) const;
 
 private:
+  /// The factor is read once for some columns, which lie beside each other.
+  static constexpr int ColumnsAtOnce = 4;
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, ColumnsAtOnce, Eigen::RowMajor>;
+  void Solve(Columns& columns) const;
+
   double Width;
   Eigen::VectorXd Mass;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> Solver;

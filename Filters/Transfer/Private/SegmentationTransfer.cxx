@@ -13,7 +13,6 @@
 #include "SegmentLoops.h"
 #include "SkeletonMap.h"
 #include "StrictBoundaries.h"
-#include "WholeAlignment.h"
 
 #include <algorithm>
 #include <map>
@@ -240,8 +239,7 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     isFindable.push_back(isTransferred[piece]);
   }
-  const DenseMapper mapper(
-    source, target, isFindable, AlignWhole(source.Mesh, target.Mesh, guidance.Hints));
+  DenseMapper mapper(source, target, isFindable, guidance.Hints);
   const Progress ofMap = SubProgress(watched, 0.5, 0.8);
   const auto& slices = answers[result.Answer].Slices;
   const DenseMap map = slices ? mapper.Map(*slices, ofMap) : mapper.Map(places, anyMatched, ofMap);

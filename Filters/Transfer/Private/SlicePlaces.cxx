@@ -96,7 +96,9 @@ double BestAngle(const Placing& placing, const TriangleMesh& target, SliceAlignm
     for (int v = 0; v < target.NumberOfVertices(); v += step)
     {
       const SourceSearch::Query place = placing.PlaceOf(v, alignment);
-      sum += areas[v] * search.Misfit(place, search.Find(place), place.Radius);
+      SourceSearch::Candidates candidates;
+      search.UpdateCandidates(place, candidates);
+      sum += areas[v] * search.Misfit(place, search.Best(place, candidates), place.Radius);
     }
     if (sum < least)
     {

@@ -11,6 +11,7 @@ namespace marrow
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+using Entry = std::pair<double, int>; ///< squared distance or cost, triangle
 }
 
 SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& isFindable)
@@ -20,8 +21,7 @@ SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& 
   this->Centroids.resize(mesh.NumberOfTriangles());
   this->Normals.resize(mesh.NumberOfTriangles());
   this->NodeOfTriangle.resize(mesh.NumberOfTriangles());
-  std::vector<Value> values;
-  values.reserve(mesh.Triangles.size());
+  std::vector<int> findable;
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     this->Centroids[t] = mesh.Centroid(t);
@@ -30,11 +30,10 @@ SourceSearch::SourceSearch(const AnalyzedMesh& source, const std::vector<bool>& 
     this->NodeOfTriangle[t] = source.NodeOfVertex[mesh.Triangles[t][0]];
     if (isFindable.empty() || isFindable[t])
     {
-      const Eigen::Vector3d& c = this->Centroids[t];
-      values.emplace_back(Point(c.x(), c.y(), c.z()), t);
+      findable.push_back(t);
     }
   }
-  this->Index = Tree(values.begin(), values.end());
+  this->Index = PointTree(this->Centroids, std::move(findable));
 }
 
 void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
@@ -42,7 +41,6 @@ void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
   this->NumberOfNodes = skeleton.NumberOfNodes();
   this->NodeDistances.assign(
     static_cast<std::size_t>(this->NumberOfNodes) * this->NumberOfNodes, Infinity);
-  using Entry = std::pair<double, int>;
   for (int start = 0; start < this->NumberOfNodes; ++start)
   {
     double* distance =
@@ -73,58 +71,105 @@ void SourceSearch::ComputeNodeDistances(const Skeleton& skeleton)
   }
 }
 
-std::vector<std::pair<double, int>> SourceSearch::Rank(const Query& query) const
+void SourceSearch::FindCandidates(
+  const Query& query, double squaredReach, bool isAny, Candidates& candidates) const
 {
-  namespace index = boost::geometry::index;
-  constexpr unsigned numberOfCandidates = 16;
-  const Point point(query.Position.x(), query.Position.y(), query.Position.z());
-  // Within a few radii along the skeleton: parts beyond are near in space only by the pose.
-  const double reach = 3.0 * query.Radius;
-  std::vector<Value> found;
-  if (query.Among)
-  {
-    const auto isAmong = [&](const Value& value) { return (*query.Among)[value.second]; };
-    this->Index.query(index::nearest(point, numberOfCandidates) && index::satisfies(isAmong),
-      std::back_inserter(found));
-  }
-  else if (query.Node >= 0)
-  {
-    const auto isNear = [&](const Value& value)
+  std::array<Entry, Candidates::MostKnown> nearest;
+  int count = 0;
+  this->Index.Search(query.Position, squaredReach,
+    [&](int triangle, double squared)
     {
-      const int node = this->NodeOfTriangle[value.second];
-      return node < 0 || this->NodeDistance(query.Node, node) <= reach;
-    };
-    this->Index.query(index::nearest(point, numberOfCandidates) && index::satisfies(isNear),
-      std::back_inserter(found));
-  }
-  if (found.empty())
+      const bool isFull = count == Candidates::MostKnown;
+      const Entry entry(squared, triangle);
+      if ((!isFull || entry < nearest.back()) && (isAny || this->IsNear(query, triangle)))
+      {
+        int place = isFull ? count - 1 : count++;
+        for (; place > 0 && entry < nearest[place - 1]; --place)
+        {
+          nearest[place] = nearest[place - 1];
+        }
+        nearest[place] = entry;
+      }
+      return count == Candidates::MostKnown ? std::min(squaredReach, nearest.back().first)
+                                            : squaredReach;
+    });
+  for (int i = 0; i < count; ++i)
   {
-    this->Index.query(index::nearest(point, numberOfCandidates), std::back_inserter(found));
+    candidates.Triangles[i] = nearest[i].second;
   }
+  candidates.CountKnown = count;
+  candidates.Count = std::min(count, Candidates::Most);
+  candidates.Center = query.Position;
+  candidates.Radius = count == Candidates::MostKnown ? std::sqrt(nearest.back().first) : Infinity;
+}
+
+void SourceSearch::UpdateCandidates(const Query& query, Candidates& candidates) const
+{
+  if (candidates.CountKnown == 0)
+  {
+    this->FindCandidates(query, Infinity, query.Node < 0 && !query.Among, candidates);
+    if (candidates.CountKnown == 0)
+    {
+      this->FindCandidates(query, Infinity, true, candidates);
+    }
+    return;
+  }
+  std::array<Entry, Candidates::MostKnown> known;
+  const auto end = known.begin() + candidates.CountKnown;
+  for (int i = 0; i < candidates.CountKnown; ++i)
+  {
+    const int triangle = candidates.Triangles[i];
+    known[i] = { (this->Centroids[triangle] - query.Position).squaredNorm(), triangle };
+  }
+  const auto last = known.begin() + candidates.Count - 1;
+  std::nth_element(known.begin(), last, end);
+  // By the triangle inequality; the factor is for the rounding.
+  const double moved = (query.Position - candidates.Center).norm();
+  if (std::sqrt(last->first) < (candidates.Radius - moved) * (1.0 - 1e-9))
+  {
+    for (int i = 0; i < candidates.CountKnown; ++i)
+    {
+      candidates.Triangles[i] = known[i].second;
+    }
+    return;
+  }
+  // All of them are near along the skeleton, or none of the whole source is.
+  const bool isAny = !this->IsNear(query, candidates.Triangles.front());
+  this->FindCandidates(query, std::max_element(known.begin(), end)->first, isAny, candidates);
+}
+
+double SourceSearch::CostOf(const Query& query, int triangle) const
+{
+  const int node = this->NodeOfTriangle[triangle];
+  const double along = query.Node >= 0 && node >= 0
+    ? std::min(this->NodeDistance(query.Node, node), Reach(query))
+    : 0.0;
+  return (this->Centroids[triangle] - query.Position).squaredNorm() + 0.1 * along * along +
+    0.5 * query.Radius * query.Radius * (1.0 - this->Normals[triangle].dot(query.Normal));
+}
+
+int SourceSearch::Best(const Query& query, const Candidates& candidates) const
+{
+  Entry best(Infinity, -1);
+  for (int i = 0; i < candidates.Count; ++i)
+  {
+    const int triangle = candidates.Triangles[i];
+    const Entry entry(this->CostOf(query, triangle), triangle);
+    best = i == 0 ? entry : std::min(best, entry);
+  }
+  return best.second;
+}
+
+std::vector<std::pair<int, double>> SourceSearch::Weigh(
+  const Query& query, const Candidates& candidates) const
+{
   std::vector<std::pair<double, int>> costs;
-  for (const Value& value : found)
+  for (int i = 0; i < candidates.Count; ++i)
   {
-    const int t = value.second;
-    const int node = this->NodeOfTriangle[t];
-    const double along =
-      query.Node >= 0 && node >= 0 ? std::min(this->NodeDistance(query.Node, node), reach) : 0.0;
-    costs.emplace_back((this->Centroids[t] - query.Position).squaredNorm() + 0.1 * along * along +
-        0.5 * query.Radius * query.Radius * (1.0 - this->Normals[t].dot(query.Normal)),
-      t);
+    const int triangle = candidates.Triangles[i];
+    costs.emplace_back(this->CostOf(query, triangle), triangle);
   }
   std::sort(costs.begin(), costs.end());
-  return costs;
-}
-
-int SourceSearch::Find(const Query& query) const
-{
-  const auto costs = this->Rank(query);
-  return costs.empty() ? -1 : costs.front().second;
-}
-
-std::vector<std::pair<int, double>> SourceSearch::FindSeveral(const Query& query) const
-{
-  const auto costs = this->Rank(query);
   const double width = std::max(0.1 * query.Radius, 1e-300);
   std::vector<std::pair<int, double>> found;
   double total = 0.0;

@@ -3,11 +3,9 @@
 #define marrow_SourceSearch_h
 
 #include "AnalyzedMesh.h"
+#include "PointTree.h"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,11 +29,25 @@ public:
     /// Per triangle, whether it may be found; null: as far as the rest allows, all.
     std::shared_ptr<const std::vector<bool>> Among;
   };
-  /// The best triangle; -1 if there is none.
-  int Find(const Query& query) const;
-  /// The best triangles, the first first, with weights that sum to 1 and fall with what they are
-  /// worse.
-  std::vector<std::pair<int, double>> FindSeveral(const Query& query) const;
+  /// The nearest triangles near along the skeleton, or of all if there are none, in no order. Some beyond
+  /// them are known too: a query that has moved less than these are farther off finds the nearest among them.
+  struct Candidates
+  {
+    static constexpr int Most = 16;
+    static constexpr int MostKnown = 32;
+    std::array<int, MostKnown> Triangles; ///< the nearest are the first
+    int Count = 0;
+    int CountKnown = 0;
+    Eigen::Vector3d Center = Eigen::Vector3d::Zero(); ///< where they were searched
+    double Radius = 0.0;                              ///< no other is nearer to the centre
+  };
+  /// `candidates` are none, or those of a query with the same node, radius and Among: one that moved a little takes
+  /// little. The result is the same.
+  void UpdateCandidates(const Query& query, Candidates& candidates) const;
+  /// The best of a query's candidates; -1 if there is none.
+  int Best(const Query& query, const Candidates& candidates) const;
+  /// All of them, the best first, with weights that sum to 1 and fall with what they are worse.
+  std::vector<std::pair<int, double>> Weigh(const Query& query, const Candidates& candidates) const;
 
   /// How far a query is from a triangle: the squared distance over that of `scale`, and how far the
   /// normal deviates, [0,1].
@@ -45,25 +57,33 @@ public:
   const Eigen::Vector3d& Normal(int triangle) const { return this->Normals[triangle]; }
 
 private:
-  using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-  using Value = std::pair<Point, int>;
-  using Tree = boost::geometry::index::rtree<Value, boost::geometry::index::rstar<16>>;
-
   /// Distances along the skeleton between all nodes.
   void ComputeNodeDistances(const Skeleton& skeleton);
   double NodeDistance(int a, int b) const
   {
     return this->NodeDistances[a * this->NumberOfNodes + b];
   }
-  /// Candidates near the query with their costs, cheapest first.
-  std::vector<std::pair<double, int>> Rank(const Query& query) const;
+  bool IsNear(const Query& query, int triangle) const
+  {
+    if (query.Among && !(*query.Among)[triangle])
+    {
+      return false;
+    }
+    const int node = this->NodeOfTriangle[triangle];
+    return query.Node < 0 || node < 0 || this->NodeDistance(query.Node, node) <= Reach(query);
+  }
+  /// Within a few radii along the skeleton: parts beyond are near in space only by the pose.
+  static double Reach(const Query& query) { return 3.0 * query.Radius; }
+  double CostOf(const Query& query, int triangle) const;
+  void FindCandidates(
+    const Query& query, double squaredReach, bool isAny, Candidates& candidates) const;
 
   int NumberOfNodes = 0;
   std::vector<double> NodeDistances;
   std::vector<Eigen::Vector3d> Centroids;
   std::vector<Eigen::Vector3d> Normals;
   std::vector<int> NodeOfTriangle;
-  Tree Index;
+  PointTree Index;
 };
 }
 

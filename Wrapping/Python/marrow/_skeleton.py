@@ -108,7 +108,7 @@ def skeleton(
         The share of the surface from which a limb gets a branch; less, and fingers get theirs.
     node_spacing : float, 0.001 to 0.5, default: 0.012
         Distance of the nodes along a branch, over the diagonal of the bounding box.
-    maximum_faces : int, 0 to 2147483647, default: 60000
+    maximum_faces : int, 0 to 2147483647, default: 30000
         A mesh of more faces is simplified to so many for the skeleton; 0: never.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NearestDownhill.h"
+
+#include "TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow
+{
+NearestDownhill::NearestDownhill(const TriangleMesh& mesh)
+  : Mesh(mesh)
+{
+  this->Balls.reserve(mesh.Triangles.size());
+  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const Eigen::Vector3d centroid = mesh.Centroid(t);
+    double squared = 0.0;
+    for (const int corner : mesh.Triangles[t])
+    {
+      squared = std::max(squared, (mesh.Points[corner] - centroid).squaredNorm());
+    }
+    this->Balls.push_back({ centroid, std::sqrt(squared) });
+  }
+}
+
+int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
+{
+  int best = start;
+  double least = this->SquaredDistance(point, start);
+  for (int last = -1; last != best;)
+  {
+    last = best;
+    for (const int corner : this->Mesh.Triangles[last])
+    {
+      this->Mesh.ForEachOutgoing(corner,
+        [&](int h)
+        {
+          const int t = TriangleMesh::TriangleOf(h);
+          if (t == last || this->IsBeyond(point, t, least))
+          {
+            return;
+          }
+          const double distance = this->SquaredDistance(point, t);
+          if (distance < least)
+          {
+            least = distance;
+            best = t;
+          }
+        });
+    }
+  }
+  return best;
+}
+
+bool NearestDownhill::IsBeyond(const Eigen::Vector3d& point, int triangle, double squared) const
+{
+  // The factor is more than rounding can take away.
+  const Ball& ball = this->Balls[triangle];
+  const double reach = (ball.Radius + std::sqrt(squared)) * (1.0 + 1e-6);
+  return (point - ball.Center).squaredNorm() > reach * reach;
+}
+
+double NearestDownhill::SquaredDistance(const Eigen::Vector3d& point, int triangle) const
+{
+  const auto& [a, b, c] = this->Mesh.Triangles[triangle];
+  const auto& points = this->Mesh.Points;
+  return (point - NearestOnTriangle(point, points[a], points[b], points[c])).squaredNorm();
+}
+}
