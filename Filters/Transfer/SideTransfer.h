@@ -60,10 +60,10 @@ struct SideTransferResult
   int NumberOfMissingPieces = 0;        ///< of the body that misses most
   /// Of the matching, the mean over the area; 1 where nothing is matched.
   double Cost = 0.0;
-  double Against = 0.0;          ///< what is to be said against the matching, likewise
-  double AnswerConfidence = 0.0; ///< in the matching, likewise; [0,1]
-  bool IsMatched = true;         ///< every body has a matched branch
-  bool IsWholeAlignment = false; ///< some body is aligned as a whole
+  double Against = 0.0;               ///< what is to be said against the matching, likewise
+  double AnswerConfidence = 0.0;      ///< in the matching, likewise; [0,1]
+  bool IsMatched = true;              ///< every body has a matched branch
+  bool IsWholeAlignment = false;      ///< some body is aligned as a whole
   std::vector<std::string> MatchedBy; ///< per body "skeletons", "slices" or "whole"
   int NumberOfUnmetHints = 0;
   std::string Error; ///< one sentence on a guidance that cannot be followed, or empty

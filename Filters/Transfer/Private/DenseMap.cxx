@@ -224,7 +224,7 @@ DenseMap DenseMapper::Map(
   return map;
 }
 
-DenseMap DenseMapper::Map(const SliceAlignment& alignment, const Progress& progress)
+DenseMap DenseMapper::Map(const SliceAlignment& alignment, const Progress& progress) const
 {
   DenseMap map;
   map.Places = PlacesBySlices(this->Source, this->Target.Mesh, alignment, *this->Search);

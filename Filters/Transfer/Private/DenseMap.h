@@ -61,7 +61,7 @@ public:
     const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress);
 
   /// The same for surfaces of revolution.
-  DenseMap Map(const SliceAlignment& alignment, const Progress& progress);
+  DenseMap Map(const SliceAlignment& alignment, const Progress& progress) const;
 
   /// Target vertices x segments: how likely the vertex belongs to each segment of the source, by the
   /// triangles that it finds. Rows sum to 1.

@@ -98,8 +98,7 @@ double BestAngle(const Placing& placing, const TriangleMesh& target, SliceAlignm
       const SourceSearch::Query place = placing.PlaceOf(v, alignment);
       SourceSearch::Candidates candidates;
       search.UpdateCandidates(place, candidates);
-      const int found = search.Best(place, candidates);
-      sum += areas[v] * search.Misfit(place, found, place.Radius);
+      sum += areas[v] * search.Misfit(place, search.Best(place, candidates), place.Radius);
     }
     if (sum < least)
     {

@@ -109,7 +109,7 @@ void SourceSearch::UpdateCandidates(const Query& query, Candidates& candidates) 
 {
   if (candidates.CountKnown == 0)
   {
-    this->FindCandidates(query, Infinity, query.Node < 0, candidates);
+    this->FindCandidates(query, Infinity, query.Node < 0 && !query.Among, candidates);
     if (candidates.CountKnown == 0)
     {
       this->FindCandidates(query, Infinity, true, candidates);

@@ -41,7 +41,7 @@ public:
     Eigen::Vector3d Center = Eigen::Vector3d::Zero(); ///< where they were searched
     double Radius = 0.0;                              ///< no other is nearer to the centre
   };
-  /// `candidates` are none, or those of a query with the same node and radius: one that moved a little takes
+  /// `candidates` are none, or those of a query with the same node, radius and Among: one that moved a little takes
   /// little. The result is the same.
   void UpdateCandidates(const Query& query, Candidates& candidates) const;
   /// The best of a query's candidates; -1 if there is none.
@@ -65,6 +65,10 @@ private:
   }
   bool IsNear(const Query& query, int triangle) const
   {
+    if (query.Among && !(*query.Among)[triangle])
+    {
+      return false;
+    }
     const int node = this->NodeOfTriangle[triangle];
     return query.Node < 0 || node < 0 || this->NodeDistance(query.Node, node) <= Reach(query);
   }
