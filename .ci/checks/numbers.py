@@ -35,7 +35,7 @@ def sources():
     names = subprocess.run(
         ["git", "ls-files", "-co", "--exclude-standard", "Filters/*/Private/*.cxx", "Filters/*/Private/*.h"],
         cwd=SOURCE, check=True, capture_output=True, text=True).stdout.split()
-    return sorted(name for name in names if not re.search("/Creatures/|/IO/|Palette|Constants.h", name))
+    return sorted(name for name in set(names) if not re.search("/Creatures/|/IO/|Palette|Constants.h", name))
 
 
 def statements(lines):
