@@ -217,7 +217,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     const Answer& answer = partner.Answers[ofOne.Answer];
     const double area = AreaOf(target.Bodies[b].Mesh);
     result.Cost += area * answer.CostOfMatch();
-    result.Against += area * ofOne.Against;
+    result.Evidence += area * ofOne.Evidence;
     result.AnswerConfidence += area * ofOne.AnswerConfidence;
     wholeArea += area;
     const Body& body = target.Surface.Bodies[b];
@@ -238,7 +238,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }
 
-  for (double* mean : { &result.Cost, &result.Against, &result.AnswerConfidence })
+  for (double* mean : { &result.Cost, &result.Evidence, &result.AnswerConfidence })
   {
     *mean = wholeArea > 0.0 ? *mean / wholeArea : 0.0;
   }

@@ -60,7 +60,7 @@ struct SideTransferResult
   int NumberOfMissingPieces = 0;        ///< of the body that misses most
   /// Of the matching, the mean over the area; 1 where nothing is matched.
   double Cost = 0.0;
-  double Against = 0.0;               ///< what is to be said against the matching, likewise
+  double Evidence = 0.0;              ///< what the surfaces say against the matching, likewise
   double AnswerConfidence = 0.0;      ///< in the matching, likewise; [0,1]
   bool IsMatched = true;              ///< every body has a matched branch
   bool IsWholeAlignment = false;      ///< some body is aligned as a whole

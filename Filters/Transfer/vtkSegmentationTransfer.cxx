@@ -292,7 +292,7 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   output->GetPointData()->SetActiveScalars(nullptr);
   marrow::SetArray(output->GetCellData(), marrow::names::SegmentConfidence, result.Confidence);
   for (const auto& [arrayName, value] : { std::pair{ marrow::names::MatchingCost, result.Cost },
-         std::pair{ marrow::names::MatchingEvidence, result.Against },
+         std::pair{ marrow::names::MatchingEvidence, result.Evidence },
          std::pair{ marrow::names::MatchingConfidence, result.AnswerConfidence } })
   {
     vtkNew<vtkDoubleArray> array;

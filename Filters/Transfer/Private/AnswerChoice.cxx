@@ -111,13 +111,14 @@ std::vector<std::size_t> RankAnswers(const std::vector<double>& against)
   return order;
 }
 
-double ConfidenceOf(double against, double cost)
+double ConfidenceOf(double surfaces)
 {
-  // Fitted on PLACEHOLDER
-  constexpr double constant = 3.15;
-  constexpr double ofAgainst = -2.4;
-  constexpr double ofCost = 0.0;
-  return 1.0 / (1.0 + std::exp(-(constant + ofAgainst * against + ofCost * cost)));
+  /// A logistic regression on the 1,064 pairs of the segmentation benchmark, by its calibrate.py, on
+  /// 2026-12-01. Of pairs with 0.9 to 1 by the fit to all categories but their own, 0.97 were right, with
+  /// 0.8 to 0.9 0.82.
+  constexpr double constant = 3.92;
+  constexpr double ofSurfaces = -4.25;
+  return 1.0 / (1.0 + std::exp(-(constant + ofSurfaces * surfaces)));
 }
 
 AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target,
@@ -127,7 +128,7 @@ AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target
   AnswerRanking asTheyAre;
   asTheyAre.Order.resize(answers.size());
   std::iota(asTheyAre.Order.begin(), asTheyAre.Order.end(), 0);
-  asTheyAre.Against.assign(answers.size(), Evidence().Sum());
+  asTheyAre.Surfaces.assign(answers.size(), 1.0);
   const CoarseMesh coarseSource = Coarsen(source);
   const CoarseMesh coarseTarget = Coarsen(target);
   if (coarseSource.Side.Mesh.Triangles.empty() || coarseTarget.Side.Mesh.Triangles.empty())
@@ -138,6 +139,7 @@ AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target
   const std::vector<SurfaceHint> turnedHints = Turned(coarseHints);
   DenseMapper there(coarseSource.Side, coarseTarget.Side, {}, coarseHints);
   DenseMapper back(coarseTarget.Side, coarseSource.Side, {}, turnedHints);
+  AnswerRanking ranking;
   std::vector<double> against;
   for (const Answer& answer : answers)
   {
@@ -145,10 +147,14 @@ AnswerRanking RankAnswers(const AnalyzedMesh& source, const AnalyzedMesh& target
     {
       return asTheyAre;
     }
-    against.push_back(
-      0.5 * TryAnswer(coarseSource, coarseTarget, there, answer, coarseHints).Against.Sum() +
-      0.5 * TryAnswer(coarseTarget, coarseSource, back, Turned(answer), turnedHints).Against.Sum());
+    const Evidence ofThere =
+      TryAnswer(coarseSource, coarseTarget, there, answer, coarseHints).Against;
+    const Evidence ofBack =
+      TryAnswer(coarseTarget, coarseSource, back, Turned(answer), turnedHints).Against;
+    against.push_back(0.5 * ofThere.Sum() + 0.5 * ofBack.Sum());
+    ranking.Surfaces.push_back(0.5 * ofThere.OfSurfaces() + 0.5 * ofBack.OfSurfaces());
   }
-  return { RankAnswers(against), against };
+  ranking.Order = RankAnswers(against);
+  return ranking;
 }
 }

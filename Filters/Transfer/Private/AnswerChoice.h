@@ -44,10 +44,9 @@ struct Evidence
 
   double Hints = 0.0; ///< what the user's hints are not kept to; before all else
 
-  double Sum() const
-  {
-    return this->Cost + this->Thickness + this->Cover + this->Turned + this->Hints;
-  }
+  /// What the surfaces say.
+  double OfSurfaces() const { return this->Thickness + this->Cover + this->Turned; }
+  double Sum() const { return this->Cost + this->OfSurfaces() + this->Hints; }
 };
 
 /// An answer carried out coarsely.
@@ -71,13 +70,12 @@ std::vector<std::size_t> RankAnswers(const std::vector<double>& against);
 struct AnswerRanking
 {
   std::vector<std::size_t> Order; ///< indices, the likeliest first
-  std::vector<double> Against;    ///< per answer the mean of Evidence's sum there and back
+  std::vector<double> Surfaces; ///< per answer the mean of what they say against it, there and back
 };
 
-/// How likely it is that an answer brings the right label to four fifths of the surface or more, [0,1]: a
-/// logistic function of what is against it and of its cost by the skeletons, fitted to labelled meshes by
-/// Testing/Benchmarks/Segmentation/calibrate.py.
-double ConfidenceOf(double against, double cost);
+/// How likely it is that an answer brings the right label to four fifths of the surface or more, [0,1], by
+/// what the surfaces say against it.
+double ConfidenceOf(double surfaces);
 
 /// Carries every answer out coarsely, by dense maps between some 1000 points from target to source
 /// and back, and ranks them by what is to be said against them: head and tail, or two fingers, may be

@@ -190,11 +190,10 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   const AnswerRanking ranking =
     RankAnswers(source, target, answers, guidance.Hints, SubProgress(watched, 0.0, 0.3));
   result.Answer = ranking.Order[guidance.AnswerIndex];
-  result.Against = ranking.Against[result.Answer];
+  result.Evidence = ranking.Surfaces[result.Answer];
   const Answer& answer = answers[result.Answer];
-  result.AnswerConfidence = answer.IsGiven && !answer.IsEmpty()
-    ? answer.Confidence
-    : ConfidenceOf(result.Against, answer.CostOfMatch());
+  result.AnswerConfidence =
+    answer.IsGiven && !answer.IsEmpty() ? answer.Confidence : ConfidenceOf(result.Evidence);
   if (result.IsAborted)
   {
     return result;

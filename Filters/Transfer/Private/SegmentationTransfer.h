@@ -44,7 +44,7 @@ struct TransferResult
   bool IsWholeAlignment = false; ///< the skeletons were of no use, the meshes are aligned as wholes
   bool IsBySlices = false;       ///< as surfaces of revolution
   std::size_t Answer = 0;        ///< which answer was taken
-  double Against = 0.0;          ///< what is to be said against it, as Evidence's sum
+  double Evidence = 0.0;         ///< what the surfaces say against it
   double AnswerConfidence = 0.0; ///< [0,1], in it
   int NumberOfUnmetHints = 0;    ///< that the answer does not keep to
   bool IsAborted = false;

@@ -5,9 +5,9 @@
     Testing/Benchmarks/Segmentation/calibrate.py RESULTS/pairs.csv
 
 Reads the pairs of the segmentation benchmark. An answer is right if the label accuracy is 0.8 or more: four
-fifths of the surface. A logistic regression on what the surfaces say against the answer and on its cost by the
-skeletons gives the probability. Prints its weights, fitted on all categories, and the reliability of
-probabilities that were each fitted without the category that they are for.
+fifths of the surface. A logistic regression on what the surfaces say against the answer gives the probability.
+Prints its weights, fitted on all categories, and the reliability of probabilities that were each fitted
+without the category that they are for.
 """
 import argparse
 import csv
@@ -20,7 +20,7 @@ RIGHT = 0.8
 def read(path):
     with open(path, newline="") as file:
         rows = [row for row in csv.DictReader(file) if not row["error"]]
-    features = np.array([[1.0, float(row["matching_evidence"]), float(row["matching_cost"])] for row in rows])
+    features = np.array([[1.0, float(row["matching_evidence"])] for row in rows])
     right = np.array([float(row["label_accuracy"]) >= RIGHT for row in rows], dtype=float)
     return np.array([row["category"] for row in rows]), features, right
 
@@ -45,7 +45,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pairs", help="pairs.csv of the segmentation benchmark")
     categories, features, right = read(parser.parse_args().pairs)
-    print("constant %.2f, of evidence %.2f, of cost %.2f" % tuple(fit(features, right)))
+    print("constant %.2f, of the surfaces %.2f" % tuple(fit(features, right)))
 
     left_out = np.empty(len(right))
     for category in sorted(set(categories)):
