@@ -17,9 +17,9 @@ OUTPUT = pathlib.Path(os.environ["MARROW_TEST_OUTPUT"], "BenchmarkReport")
 # What the report reads of the tables; what is not here is empty.
 PAIRS = [
     {"category": "Ant", "source": 1, "target": 2, "label_accuracy": 0.75, "rand_error": 0.125,
-     "segment_confidence": 0.5},
+     "segment_confidence": 0.5, "matching_confidence": 0.95},
     {"category": "Ant", "source": 2, "target": 1, "label_accuracy": 0.5, "rand_error": 0.25,
-     "segment_confidence": 0.25},
+     "segment_confidence": 0.25, "matching_confidence": 0.35},
     {"category": "Ant", "source": 2, "target": 3, "error": "ant <3>: cut, and short"},
 ]
 SUMMARY = [
@@ -56,7 +56,7 @@ class TestBenchmarkReport(unittest.TestCase):
         write_table("summary", SUMMARY, ["category", "humans_rand_error", "rigid_rand_error",
                                          *sorted(summary - {"humans_rand_error", "rigid_rand_error"})])
         write_table("pairs", PAIRS, ["category", "source", "target", "label_accuracy", "rand_error",
-                                     "segment_confidence", "error"])
+                                     "segment_confidence", "matching_confidence", "error"])
         write_table("meshes", [{"category": "Ant", "source": i, "target": i, "error": ""} for i in (1, 2)],
                     ["category", "source", "target", "error"])
         (OUTPUT / "results/method.txt").write_text("skeleton msp, matcher tree\n")
@@ -70,6 +70,8 @@ class TestBenchmarkReport(unittest.TestCase):
         stderr, page = self.report(DISPLAY="")
         self.assertEqual(stderr, "")
         self.assertIn("<td>Ant</td><td>0.625</td>", page)
+        # Of each confidence, how many pairs and which share of them is right.
+        self.assertIn("<td>0.3 to 0.4</td><td>1</td><td>0.00</td>", page)
         self.assertIn('<td>with limbs</td><td class="missed">0.625 (≥ 0.90)</td>', page)
         self.assertIn('<td class="met">0.100 (≤ 0.11)</td>', page)
         self.assertIn('<td>all</td><td class="met">0.875 (≥ 0.85)</td>', page)
