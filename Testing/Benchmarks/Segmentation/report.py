@@ -142,8 +142,9 @@ def scatter(pairs, x, y):
 def reliability(pairs):
     """Of the matchings of each confidence, how many are right: label accuracy of 0.8 or more."""
     rows = []
+    measured = [pair for pair in pairs if not math.isnan(pair["matching_confidence"])]
     for tenth in range(10):
-        right = [pair["label_accuracy"] >= 0.8 for pair in pairs
+        right = [pair["label_accuracy"] >= 0.8 for pair in measured
                  if min(int(10.0 * pair["matching_confidence"]), 9) == tenth]
         if right:
             rows.append(f"<tr><td>{tenth / 10:.1f} to {(tenth + 1) / 10:.1f}</td><td>{len(right)}</td>"
