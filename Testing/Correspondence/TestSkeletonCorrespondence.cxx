@@ -41,6 +41,40 @@ TEST(SkeletonCorrespondence, IgnoresRotationAndScale)
   matched.ExpectSame(QuadrupedTerminals());
 }
 
+/// The squares of such lengths are no doubles.
+TEST(SkeletonCorrespondence, MatchesSkeletonsInAnyUnit)
+{
+  const Matched matched(MakeQuadruped(), MakeQuadruped());
+  for (const double unit : { 1e-200, 1e-100, 1e100, 1e200 })
+  {
+    SCOPED_TRACE(unit);
+    marrow::Skeleton skeleton = MakeQuadruped().Build();
+    for (int n = 0; n < skeleton.NumberOfNodes(); ++n)
+    {
+      marrow::SkeletonNode& node = skeleton.Graph[n];
+      node.Position *= unit;
+      node.MSP *= unit;
+      node.Radius *= unit;
+    }
+    skeleton.MeshDiagonal *= unit;
+    skeleton.MeshMaximumMSP *= unit;
+    vtkNew<vtkPolyData> target;
+    marrow::ToPolyData(skeleton, target);
+    matched.Filter->SetInputData(1, target);
+    matched.Filter->Update();
+    EXPECT_GT(matched.Field("CorrespondenceConfidence"), 0.5);
+    vtkDataArray* ids[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      ids[side] = matched.Output(side)->GetPointData()->GetArray("CorrespondenceId");
+    }
+    for (vtkIdType n = 0; n < ids[0]->GetNumberOfTuples(); ++n)
+    {
+      EXPECT_EQ(ids[0]->GetTuple1(n), ids[1]->GetTuple1(n)) << "node " << n;
+    }
+  }
+}
+
 TEST(SkeletonCorrespondence, TurnsLeftToRightInAMirrorImage)
 {
   SkeletonShape target = MakeQuadruped();
