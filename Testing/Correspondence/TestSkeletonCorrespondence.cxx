@@ -248,8 +248,8 @@ TEST(SkeletonCorrespondence, KeepsATreeOfManyAlikeArmsSmall)
   SkeletonShape target = MakeStar(8);
   target.Transform(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()).toRotationMatrix());
   const Matched matched(MakeStar(8), target);
-  // Each level keeps the best of the 8! ways to match the arms.
-  EXPECT_LE(matched.Field("CorrespondenceTreeNodes"), 1000);
+  // The root, the pair of centers, and below it the six best of the 8! ways to match the arms.
+  EXPECT_EQ(matched.Field("CorrespondenceTreeNodes"), 8);
   matched.ExpectSame({ "head" });
   // Any rotation of the arms is fair, but never a reflection: neighbours follow one another.
   std::vector<int> targetArm(8, -1);
@@ -268,6 +268,35 @@ TEST(SkeletonCorrespondence, KeepsATreeOfManyAlikeArmsSmall)
   {
     EXPECT_EQ((targetArm[i] + 1) % 8, targetArm[(i + 1) % 8]);
   }
+}
+
+/// Every hub has six ways to match its arms that are as good as each other, after every way of those before.
+TEST(SkeletonCorrespondence, KeepsFewNodesOnALevelOfItsTree)
+{
+  constexpr int hubs = 3;
+  SkeletonShape shape;
+  for (int hub = 0; hub < hubs; ++hub)
+  {
+    const std::string name = "hub " + std::to_string(hub);
+    shape.Point(name, 4.0 * hub, 0.0, 0.0, 0.3);
+    for (int arm = 0; arm < 6; ++arm)
+    {
+      const double angle = marrow::Pi / 3.0 * arm;
+      const std::string tip = name + " arm " + std::to_string(arm);
+      shape.Point(tip, 4.0 * hub, std::cos(angle), std::sin(angle), 0.05);
+      shape.Line({ name, tip });
+    }
+    if (hub > 0)
+    {
+      shape.Line({ "hub " + std::to_string(hub - 1), name });
+    }
+  }
+  const Matched matched(shape, shape);
+  // A level keeps 48: without that bound there are five times as many.
+  EXPECT_LE(
+    matched.Field("CorrespondenceTreeNodes"), 1 + 48 * matched.Field("CorrespondenceTreeHeight"));
+  EXPECT_LE(matched.Field("CorrespondenceTreeNodes"), 300);
+  matched.ExpectSame({ "hub 1", "hub 2" });
 }
 
 TEST(SkeletonCorrespondence, DoesNotDependOnTheNumberingOfNodes)
