@@ -41,6 +41,40 @@ TEST(SkeletonCorrespondence, IgnoresRotationAndScale)
   matched.ExpectSame(QuadrupedTerminals());
 }
 
+/// The squares of such lengths are no doubles.
+TEST(SkeletonCorrespondence, MatchesSkeletonsInAnyUnit)
+{
+  const Matched matched(MakeQuadruped(), MakeQuadruped());
+  for (const double unit : { 1e-200, 1e-100, 1e100, 1e200 })
+  {
+    SCOPED_TRACE(unit);
+    marrow::Skeleton skeleton = MakeQuadruped().Build();
+    for (int n = 0; n < skeleton.NumberOfNodes(); ++n)
+    {
+      marrow::SkeletonNode& node = skeleton.Graph[n];
+      node.Position *= unit;
+      node.MSP *= unit;
+      node.Radius *= unit;
+    }
+    skeleton.MeshDiagonal *= unit;
+    skeleton.MeshMaximumMSP *= unit;
+    vtkNew<vtkPolyData> target;
+    marrow::ToPolyData(skeleton, target);
+    matched.Filter->SetInputData(1, target);
+    matched.Filter->Update();
+    EXPECT_GT(matched.Field("CorrespondenceConfidence"), 0.5);
+    vtkDataArray* ids[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      ids[side] = matched.Output(side)->GetPointData()->GetArray("CorrespondenceId");
+    }
+    for (vtkIdType n = 0; n < ids[0]->GetNumberOfTuples(); ++n)
+    {
+      EXPECT_EQ(ids[0]->GetTuple1(n), ids[1]->GetTuple1(n)) << "node " << n;
+    }
+  }
+}
+
 TEST(SkeletonCorrespondence, TurnsLeftToRightInAMirrorImage)
 {
   SkeletonShape target = MakeQuadruped();
@@ -214,8 +248,8 @@ TEST(SkeletonCorrespondence, KeepsATreeOfManyAlikeArmsSmall)
   SkeletonShape target = MakeStar(8);
   target.Transform(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()).toRotationMatrix());
   const Matched matched(MakeStar(8), target);
-  // Each level keeps the best of the 8! ways to match the arms.
-  EXPECT_LE(matched.Field("CorrespondenceTreeNodes"), 1000);
+  // The root, the pair of centers, and below it the six best of the 8! ways to match the arms.
+  EXPECT_EQ(matched.Field("CorrespondenceTreeNodes"), 8);
   matched.ExpectSame({ "head" });
   // Any rotation of the arms is fair, but never a reflection: neighbours follow one another.
   std::vector<int> targetArm(8, -1);
@@ -234,6 +268,35 @@ TEST(SkeletonCorrespondence, KeepsATreeOfManyAlikeArmsSmall)
   {
     EXPECT_EQ((targetArm[i] + 1) % 8, targetArm[(i + 1) % 8]);
   }
+}
+
+/// Every hub has six ways to match its arms that are as good as each other, after every way of those before.
+TEST(SkeletonCorrespondence, KeepsFewNodesOnALevelOfItsTree)
+{
+  constexpr int hubs = 3;
+  SkeletonShape shape;
+  for (int hub = 0; hub < hubs; ++hub)
+  {
+    const std::string name = "hub " + std::to_string(hub);
+    shape.Point(name, 4.0 * hub, 0.0, 0.0, 0.3);
+    for (int arm = 0; arm < 6; ++arm)
+    {
+      const double angle = marrow::Pi / 3.0 * arm;
+      const std::string tip = name + " arm " + std::to_string(arm);
+      shape.Point(tip, 4.0 * hub, std::cos(angle), std::sin(angle), 0.05);
+      shape.Line({ name, tip });
+    }
+    if (hub > 0)
+    {
+      shape.Line({ "hub " + std::to_string(hub - 1), name });
+    }
+  }
+  const Matched matched(shape, shape);
+  // A level keeps 48: without that bound there are five times as many.
+  EXPECT_LE(
+    matched.Field("CorrespondenceTreeNodes"), 1 + 48 * matched.Field("CorrespondenceTreeHeight"));
+  EXPECT_LE(matched.Field("CorrespondenceTreeNodes"), 300);
+  matched.ExpectSame({ "hub 1", "hub 2" });
 }
 
 TEST(SkeletonCorrespondence, DoesNotDependOnTheNumberingOfNodes)

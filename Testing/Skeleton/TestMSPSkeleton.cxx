@@ -323,6 +323,35 @@ TEST(MSPSkeleton, KeepsTheUsersArraysAndNumbers)
   test::ExpectKept(creature.Mesh, Skeletonize(creature.Mesh));
 }
 
+/// The centroids of so few triangles are at one place, and tell nothing of their size.
+TEST(MSPSkeleton, OneTriangleHasTheSameSkeletonInAnyUnit)
+{
+  TriangleMesh once;
+  once.Points = { { -2.0, 1.0, 1.0 }, { 2.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 } };
+  once.Triangles = { { 0, 1, 2 } };
+  // Where a body was flattened a corner has a second place, and two faces have no area.
+  TriangleMesh twice = once;
+  twice.Points.push_back(once.Points[0]);
+  twice.Triangles = { { 0, 2, 1 }, { 3, 1, 2 }, { 1, 3, 0 }, { 2, 0, 3 } };
+  for (const TriangleMesh& mesh : { once, twice })
+  {
+    const test::SkeletonResult expected = Skeletonize(test::ToPolyData(mesh));
+    ASSERT_GE(expected.Skeleton.NumberOfNodes(), 1);
+    for (const double unit : { 1e-30, 1e-11, 1e11, 1e30 })
+    {
+      SCOPED_TRACE(unit);
+      const test::SkeletonResult result = Skeletonize(test::ToPolyData(test::Scaled(mesh, unit)));
+      ASSERT_EQ(result.Skeleton.NumberOfNodes(), expected.Skeleton.NumberOfNodes());
+      for (int n = 0; n < result.Skeleton.NumberOfNodes(); ++n)
+      {
+        const Eigen::Vector3d& position = expected.Skeleton.Graph[n].Position;
+        EXPECT_LT((result.Skeleton.Graph[n].Position / unit - position).norm(), 1e-6);
+        EXPECT_LT(position.norm(), 3.0);
+      }
+    }
+  }
+}
+
 TEST(MSPSkeleton, SaysWhatIsWrong)
 {
   vtkNew<vtkMSPSkeleton> filter;

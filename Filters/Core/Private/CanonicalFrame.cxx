@@ -19,6 +19,10 @@ namespace
 /// what double precision loses by a rotation is a million times smaller.
 constexpr double GridSpacing = 1.0 / (1 << 28);
 
+/// Of the centroids, over the reach of the corners. What rounding leaves where all centroids are one is
+/// far below.
+constexpr double LeastSpread = 1e-6;
+
 // Sums of many values: in more than double precision, so that their order plays no part.
 using Sum = long double;
 
@@ -43,6 +47,30 @@ std::vector<Eigen::Vector3d> NeighborSums(const TriangleMesh& mesh)
     }
   }
   return sums;
+}
+
+/// The frame of a mesh whose powers of coordinates stay in the range of doubles.
+CanonicalFrame FrameOf(const TriangleMesh& mesh)
+{
+  std::vector<Eigen::Vector3d> centroids(mesh.Triangles.size());
+  std::vector<Eigen::Vector3d> corners;
+  corners.reserve(3 * mesh.Triangles.size());
+  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    centroids[t] = mesh.Centroid(t);
+    for (const int corner : mesh.Triangles[t])
+    {
+      corners.push_back(mesh.Points[corner]);
+    }
+  }
+  const CanonicalFrame frame(centroids, mesh.TriangleAreas());
+  const double reach = std::accumulate(corners.begin(), corners.end(), 0.0,
+    [&](double most, const Eigen::Vector3d& point)
+    { return std::max(most, (point - frame.FromFrame(Eigen::Vector3d::Zero())).norm()); });
+  // One triangle, two that lie on each other, or none with an area: their centroids say nothing of the size.
+  return frame.HasSpread() && frame.LengthFromFrame(1.0) > LeastSpread * reach
+    ? frame
+    : CanonicalFrame(corners, std::vector<double>(corners.size(), 1.0));
 }
 }
 
@@ -92,6 +120,7 @@ CanonicalFrame::CanonicalFrame(
   {
     return;
   }
+  this->Spreads = true;
   this->Unit = std::sqrt(covariance.trace());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   // The longest axis first.
@@ -162,13 +191,8 @@ CanonicalMesh ToCanonicalMesh(const TriangleMesh& mesh)
   scaled.Points = mesh.Points;
   scaled.Triangles = mesh.Triangles;
   Scale(scaled.Points, -exponent);
-  std::vector<Eigen::Vector3d> centroids(mesh.Triangles.size());
-  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    centroids[t] = scaled.Centroid(t);
-  }
   CanonicalMesh result;
-  result.Frame = CanonicalFrame(centroids, scaled.TriangleAreas());
+  result.Frame = FrameOf(scaled);
   result.Frame.Scale(exponent);
 
   TriangleMesh moved;

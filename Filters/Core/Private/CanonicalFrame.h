@@ -26,6 +26,9 @@ public:
   /// completes a right-handed frame, so that left and right are never exchanged.
   CanonicalFrame(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights);
 
+  /// False where the points are all at one place: the frame's unit then says nothing of them.
+  bool HasSpread() const { return this->Spreads; }
+
   Eigen::Vector3d ToFrame(const Eigen::Vector3d& point) const;
   Eigen::Vector3d FromFrame(const Eigen::Vector3d& point) const;
   double LengthToFrame(double length) const;
@@ -49,6 +52,7 @@ private:
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity(); ///< one axis a row
   Eigen::Vector3d Center = Eigen::Vector3d::Zero();
   double Unit = 1.0;
+  bool Spreads = false;
 };
 
 /// A mesh in its canonical frame, its vertices and triangles in an order that the geometry alone gives.

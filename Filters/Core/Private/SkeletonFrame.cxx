@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkeletonFrame.h"
 
+#include "BinaryScale.h"
+
+#include <numeric>
+
 namespace marrow
 {
 namespace
@@ -45,6 +49,10 @@ CanonicalFrame FrameOf(const Skeleton& skeleton)
   {
     positions.push_back(skeleton.Graph[n].Position);
   }
+  std::vector<int> all(positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  const int exponent = ScaleExponent(positions, all);
+  Scale(positions, -exponent);
   for (const Branch& branch : skeleton.Branches)
   {
     for (std::size_t i = 1; i < branch.Nodes.size(); ++i)
@@ -55,6 +63,8 @@ CanonicalFrame FrameOf(const Skeleton& skeleton)
       weights[branch.Nodes[i - 1]] += half;
     }
   }
-  return CanonicalFrame(positions, weights);
+  CanonicalFrame frame(positions, weights);
+  frame.Scale(exponent);
+  return frame;
 }
 }

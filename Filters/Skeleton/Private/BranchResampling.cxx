@@ -208,6 +208,11 @@ void SmoothBranches(
     radius[n] = hold[n] > 0.0 ? perimeter / hold[n] / (2.0 * Pi) : 0.0;
     total += hold[n];
   }
+  if (!(total > 0.0) || !(spacing > 0.0))
+  {
+    // Nothing holds a place, or there is but one: the springs have no solution.
+    return;
+  }
   const double least = LeastHold * total / numberOfNodes;
 
   std::vector<Eigen::Triplet<double>> entries;
