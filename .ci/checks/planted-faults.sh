@@ -55,6 +55,10 @@ expect "clang-format" "Constants.h:.*clang-format" formatted
 # The letters are apart so that codespell passes here.
 append README.md "Is re""cieved."
 expect "codespell" "re""cieved ==> received" codespell
+append Filters/Core/Private/SkeletonFrame.cxx 'double Bare(double x) { return 0.37 * x; }'
+expect "numbers, one without a name" "SkeletonFrame.cxx:.*0.37 has no name" .ci/checks/numbers.py
+append Filters/Core/Private/SkeletonFrame.cxx '' 'constexpr double WithoutReason = 0.37;'
+expect "numbers, one without a reason" "WithoutReason has no reason" .ci/checks/numbers.py
 append Filters/Core/Private/SkeletonFrame.cxx 'int PastTheEnd() { int row[2] = { 0, 1 }; return row[2]; }'
 expect "cppcheck" "SkeletonFrame.cxx:.*out of bounds" .ci/checks/cppcheck.sh
 
