@@ -87,7 +87,7 @@
  *   and the field arrays MatchingCost (double, the cost of the correspondence as vtkSkeletonCorrespondence's
  *   GlobalCost, the mean over the area if there are several bodies; 1 where nothing is matched, 0 where the
  *   skeletons brought their correspondence), MatchingEvidence (double, what the surfaces say
- *   against it), MatchingConfidence (double in [0,1], how likely it is that the answer brings the right label to
+ *   against it; 0 likewise), MatchingConfidence (double in [0,1], how likely it is that the answer brings the right label to
  *   four fifths of the surface or more, calibrated on labelled meshes; CorrespondenceConfidence where the
  *   skeletons brought their correspondence), MatchedBy (string; per body of the target "skeletons",
  *   "slices" or "whole"), and the source's SegmentName (string), if it has one: at i the name of segment i;

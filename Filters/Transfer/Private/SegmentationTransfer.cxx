@@ -187,13 +187,17 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     result.IsAborted = result.IsAborted || !Report(progress, fraction);
     return !result.IsAborted;
   };
-  const AnswerRanking ranking =
-    RankAnswers(source, target, answers, guidance.Hints, SubProgress(watched, 0.0, 0.3));
-  result.Answer = ranking.Order[guidance.AnswerIndex];
-  result.Evidence = ranking.Surfaces[result.Answer];
-  const Answer& answer = answers[result.Answer];
-  result.AnswerConfidence =
-    answer.IsGiven && !answer.IsEmpty() ? answer.Confidence : ConfidenceOf(result.Evidence);
+  const bool isGiven = answers.front().IsGiven && !answers.front().IsEmpty();
+  result.AnswerConfidence = answers.front().Confidence;
+  // What the user gave is not judged.
+  if (!isGiven)
+  {
+    const AnswerRanking ranking =
+      RankAnswers(source, target, answers, guidance.Hints, SubProgress(watched, 0.0, 0.3));
+    result.Answer = ranking.Order[guidance.AnswerIndex];
+    result.Evidence = ranking.Surfaces[result.Answer];
+    result.AnswerConfidence = ConfidenceOf(result.Evidence);
+  }
   if (result.IsAborted)
   {
     return result;
