@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -138,6 +140,16 @@ TEST(CorrespondenceAlgorithms, ClustersHoldWhatIsAlike)
   EXPECT_EQ(0, NumberOfClusters(ClusterBranches(graph, darts, 0.0)) - 1);
   const std::vector<int> all = ClusterBranches(graph, darts, 10.0);
   EXPECT_EQ(0, *std::max_element(all.begin(), all.end()));
+}
+
+TEST(LinearAssignment, EndsWithCostsThatAreNoNumbers)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  Eigen::MatrixXd cost(3, 3);
+  cost << nan, 1.0, nan, 2.0, nan, infinite, nan, nan, 3.0;
+  EXPECT_EQ(AssignRows(cost), (std::vector<int>{ 1, 0, 2 }));
+  EXPECT_EQ(AssignRows(Eigen::MatrixXd::Constant(2, 2, nan)).size(), 2u);
 }
 
 TEST(CorrespondenceAlgorithms, LinearAssignmentIsTheBest)

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearAssignment.h"
 
+#include <cmath>
 #include <limits>
 
 namespace marrow
 {
-std::vector<int> AssignRows(const Eigen::MatrixXd& cost)
+std::vector<int> AssignRows(const Eigen::MatrixXd& given)
 {
+  /// Of what is no number or infinite: with it the search would never end.
+  constexpr double worst = 1e100;
+  const Eigen::MatrixXd cost =
+    given.unaryExpr([](double value) { return std::isfinite(value) ? value : worst; });
   const int rows = static_cast<int>(cost.rows());
   const int columns = static_cast<int>(cost.cols());
   std::vector<int> columnOfRow(rows, -1);

@@ -9,7 +9,7 @@
 namespace marrow
 {
 /// The assignment of rows to columns of least total cost (Hungarian method, O(n³)): per row its
-/// column, or -1 where there are more rows than columns. Costs are finite.
+/// column, or -1 where there are more rows than columns. A cost that is not finite is the worst.
 std::vector<int> AssignRows(const Eigen::MatrixXd& cost);
 }
 
