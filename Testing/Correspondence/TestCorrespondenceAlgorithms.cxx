@@ -11,11 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
