@@ -233,7 +233,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.IsMatched = result.IsMatched && !answer.IsEmpty();
     result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
     result.MatchedBy.emplace_back(
-      ofOne.IsWholeAlignment ? "whole" : (ofOne.IsBySlices ? "slices" : "skeletons"));
+      ofOne.IsWholeAlignment ? "whole" : (answer.Slices ? "slices" : "skeletons"));
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }

@@ -2,6 +2,7 @@
 #include "ShrunkMesh.h"
 
 #include "Constants.h"
+#include "Cotangent.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
@@ -66,15 +67,10 @@ std::vector<double> LipschitzEnvelope(const TriangleMesh& mesh, const std::vecto
 /// obtuse angle push its edge apart.
 double ClampedCotangent(const TriangleMesh& mesh, int halfEdge)
 {
-  const Eigen::Vector3d& apex = mesh.Points[mesh.From(TriangleMesh::Previous(halfEdge))];
-  const Eigen::Vector3d a = mesh.Points[mesh.From(halfEdge)] - apex;
-  const Eigen::Vector3d b = mesh.Points[mesh.To(halfEdge)] - apex;
-  const double sine = a.cross(b).norm();
-  const double cotangent = sine > 0.0 ? a.dot(b) / sine : 0.0;
   constexpr double least = 0.05; // keeps a vertex from hanging on one neighbour alone
-  constexpr double most =
-    20.0; // of an angle of 3 degrees: slivers would couple their vertices rigidly
-  return std::clamp(cotangent, least, most);
+  return std::max(BoundedCotangent(mesh.Points[mesh.From(TriangleMesh::Previous(halfEdge))],
+                    mesh.Points[mesh.From(halfEdge)], mesh.Points[mesh.To(halfEdge)]),
+    least);
 }
 }
 

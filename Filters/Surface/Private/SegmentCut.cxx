@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentCut.h"
 
+#include "Cotangent.h"
 #include "PointWelding.h"
 #include "PolygonTriangulation.h"
 
@@ -49,18 +50,6 @@ double AreaOf(const PolygonMesh& mesh, int polygon)
     area += (mesh.Points[corners[k]] - origin).cross(mesh.Points[corners[k + 1]] - origin);
   }
   return 0.5 * area.norm();
-}
-
-/// The cotangent of the angle at `apex`, above 0: a negative one would push shares away.
-double Cotangent(const Eigen::Vector3d& apex, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  constexpr double least = 0.01; // keeps a vertex from hanging on one neighbour alone
-  constexpr double most =
-    20.0; // of an angle of 3 degrees: slivers would couple their vertices rigidly
-  const Eigen::Vector3d u = a - apex;
-  const Eigen::Vector3d v = b - apex;
-  const double sine = u.cross(v).norm();
-  return sine > 0.0 ? std::clamp(u.dot(v) / sine, least, most) : least;
 }
 
 /// The vertices, one for all points at a place, with what the segments have of them.
@@ -129,8 +118,9 @@ private:
       const int b = corners[(k + 1) % 3];
       const int from = this->Vertex[a];
       const int to = this->Vertex[b];
-      const double weight =
-        Cotangent(mesh.Points[corners[(k + 2) % 3]], mesh.Points[a], mesh.Points[b]);
+      constexpr double least = 0.01; // a negative one would push shares away
+      const double weight = std::max(
+        BoundedCotangent(mesh.Points[corners[(k + 2) % 3]], mesh.Points[a], mesh.Points[b]), least);
       if (from != to)
       {
         this->Neighbors[from].emplace_back(to, weight);

@@ -44,12 +44,8 @@ std::vector<SurfaceHint> Turned(const std::vector<SurfaceHint>& hints)
 
 double DistanceToTriangle(const AnalyzedMesh& mesh, int vertex, int triangle)
 {
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  for (const int corner : mesh.Mesh.Triangles[triangle])
-  {
-    centroid += mesh.Mesh.Points[corner] / 3.0;
-  }
-  return (centroid - mesh.Mesh.Points[vertex]).norm() / std::max(mesh.Diagonal(), 1e-300);
+  return (mesh.Mesh.Centroid(triangle) - mesh.Mesh.Points[vertex]).norm() /
+    std::max(mesh.Diagonal(), 1e-300);
 }
 
 bool AreOfSamePart(const AnalyzedMesh& mesh, int vertex, int triangle)

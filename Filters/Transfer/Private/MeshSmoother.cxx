@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshSmoother.h"
 
+#include "Cotangent.h"
 #include "ParallelFor.h"
 
 #include <Eigen/Geometry>
@@ -12,13 +13,9 @@ namespace marrow
 {
 double CotangentWeight(const TriangleMesh& mesh, int halfEdge, double least)
 {
-  const Eigen::Vector3d& apex = mesh.Points[mesh.From(TriangleMesh::Previous(halfEdge))];
-  const Eigen::Vector3d a = mesh.Points[mesh.From(halfEdge)] - apex;
-  const Eigen::Vector3d b = mesh.Points[mesh.To(halfEdge)] - apex;
-  const double twiceArea = a.cross(b).norm();
-  // Clamp the cotangent: slivers would couple their vertices rigidly. 20 is that of 3 degrees.
-  constexpr double most = 20.0;
-  const double cotangent = twiceArea > 0.0 ? std::min(a.dot(b) / twiceArea, most) : 0.0;
+  const double cotangent =
+    BoundedCotangent(mesh.Points[mesh.From(TriangleMesh::Previous(halfEdge))],
+      mesh.Points[mesh.From(halfEdge)], mesh.Points[mesh.To(halfEdge)]);
   return std::max(0.5 * cotangent, least);
 }
 

@@ -252,7 +252,6 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
     return result;
   }
   result.IsWholeAlignment = map.IsWholeAlignment;
-  result.IsBySlices = slices.has_value();
   result.NumberOfUnmetHints = NumberOfUnmetHints(source, guidance.Hints, map.FoundTriangles);
   const double width = WidthFor(map);
   const MeshSmoother blend(target.Mesh, width * target.Diagonal());
