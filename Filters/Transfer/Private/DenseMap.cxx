@@ -18,8 +18,6 @@ namespace
 constexpr int NumberOfCorrections = 6;
 /// Of a limb, over the diagonal, where the skeleton says nothing.
 constexpr double UsualRadius = 0.02;
-/// The scale of a search, over the diagonal, where no branch gives one: about a limb's width.
-constexpr double WholeRadius = 0.05;
 
 /// The mean over the surface of the radius of the vertices' nodes.
 double MeanRadius(const AnalyzedMesh& side)
@@ -101,7 +99,7 @@ const DenseMapper::WholeMap& DenseMapper::GetWhole()
   {
     this->Whole.emplace();
     this->Whole->Queries = QueriesAsWhole(
-      this->Target.Mesh, this->GetAlignment(), WholeRadius * this->Source.Diagonal());
+      this->Target.Mesh, this->GetAlignment(), WholeSearchRadius * this->Source.Diagonal());
     this->Whole->Found = this->FindAll(this->Whole->Queries, this->Whole->Candidates);
     this->Whole->Misfit = this->Misfit(this->Whole->Queries, this->Whole->Found);
   }
@@ -143,7 +141,7 @@ std::vector<SourceSearch::Query> DenseMapper::QueriesBySkeleton(
     query.Position = transform.leftCols<3>() * mesh.Points[v] + transform.col(3);
     query.Normal = (transform.leftCols<3>() * normals[v]).normalized();
     query.Node = known ? places[node].SourceNode : -1;
-    query.Radius = known ? places[node].Radius : WholeRadius * this->Source.Diagonal();
+    query.Radius = known ? places[node].Radius : WholeSearchRadius * this->Source.Diagonal();
     certainty[v] = node >= 0 ? CertaintyOf(places[node]) : LeastCertainty;
   }
   return queries;
@@ -171,7 +169,7 @@ std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& qu
 double DenseMapper::Misfit(
   const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const
 {
-  const double scale = std::max(WholeRadius * this->Source.Diagonal(), 1e-300);
+  const double scale = std::max(WholeSearchRadius * this->Source.Diagonal(), 1e-300);
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t v = 0; v < queries.size(); ++v)

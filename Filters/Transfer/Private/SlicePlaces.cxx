@@ -14,9 +14,6 @@ namespace
 {
 using Mask = std::shared_ptr<const std::vector<bool>>;
 
-/// The scale of a search, of the diagonal, as where meshes are aligned as wholes.
-constexpr double SearchRadius = 0.05;
-
 /// The triangles of the wall and those off it; null where hardly any stand off.
 struct Parts
 {
@@ -52,7 +49,7 @@ public:
   Placing(const AnalyzedMesh& source, const TriangleMesh& target, const SliceAlignment& alignment)
     : Points(target.Points)
     , Normals(target.VertexNormals())
-    , Radius(SearchRadius * source.Diagonal())
+    , Radius(WholeSearchRadius * source.Diagonal())
   {
     const Parts parts(source.Mesh, alignment.GetSource());
     for (const Eigen::Vector3d& point : target.Points)

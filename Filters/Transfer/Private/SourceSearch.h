@@ -12,6 +12,9 @@
 
 namespace marrow
 {
+/// The scale of a search, over the diagonal, where no branch gives one: about a limb's width.
+inline constexpr double WholeSearchRadius = 0.05;
+
 /// Finds the triangles of the source that are nearest to a place in space, have a like normal and
 /// belong to a near part of the skeleton: a hand on a hip does not find the hip.
 class SourceSearch
