@@ -111,6 +111,6 @@ expect "mypy" "error: Incompatible return value" tests '^Python.types$'
 sed -i '0,/ \* @sa /s// * @nosuchcommand @sa /' Filters/Transfer/vtkSegmentationTransfer.h
 expect "doxygen" "Found unknown command" tests '^Documentation.Api$'
 # The farthest of the candidates gives its label.
-sed -i 's/costs.front().second;/costs.back().second;/' Filters/Transfer/Private/SourceSearch.cxx
+sed -i 's/costs.front().second;/costs.back().second;/' Filters/DenseCorrespondence/Private/SourceSearch.cxx
 expect "accuracy gate" "pairs are below their thresholds" tests '^(Data.meshes|Accuracy.segments|Accuracy.camel)$'
 exit $missed

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fits the confidence in a matching (ConfidenceOf in Filters/Transfer/Private/AnswerChoice.cxx).
+"""Fits the confidence in a matching (ConfidenceOf in Filters/DenseCorrespondence/Private/AnswerChoice.cxx).
 
     Testing/Benchmarks/Segmentation/calibrate.py RESULTS/pairs.csv
 
