@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgePrices.h"
 #include "FaceLabels.h"
+#include "LabelCleanUp.h"
 #include "TestShapes.h"
+#include "TubeShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -180,5 +182,21 @@ TEST(FaceLabels, ExcludedSegmentsAreNotTakenWhereThereIsAnother)
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     EXPECT_EQ(labels[t], mesh.Centroid(t).z() > 0.5 ? 1 : 0) << mesh.Centroid(t).z();
+  }
+}
+
+TEST(LabelCleanUp, IslandsJoinTheNeighbourAlongTheLongestBorder)
+{
+  const test::Tube tube = test::MakeTube({});
+  std::vector<int> pieces;
+  for (std::size_t t = 0; t < tube.Fraction.size(); ++t)
+  {
+    const bool island = std::abs(tube.Fraction[t] - 0.25) < 0.05 && std::abs(tube.Angle[t]) < 0.4;
+    pieces.push_back(tube.Fraction[t] < 0.5 && !island ? 0 : 1);
+  }
+  KeepLargestComponents(tube.Analyzed.Mesh, pieces);
+  for (std::size_t t = 0; t < pieces.size(); ++t)
+  {
+    EXPECT_EQ(pieces[t], tube.Fraction[t] < 0.5 ? 0 : 1);
   }
 }
