@@ -41,18 +41,10 @@ std::vector<int> LabelsOf(vtkPolyData* mesh)
 /// The map of the matched skeletons with their chains aligned, as the transfer has it.
 marrow::SkeletonMap AlignedMap(const Matched& pair)
 {
-  marrow::SkeletonMap map(pair.SourceMesh, pair.TargetMesh, pair.Match);
-  for (std::size_t c = 0; c < pair.Match.Chains.size(); ++c)
-  {
-    const marrow::ChainPair& chain = pair.Match.Chains[c];
-    const marrow::TransferParameters defaults;
-    const auto landmark = marrow::MatchGhostBoundaries(
-      marrow::FindGhostBoundaries(pair.SourceMesh, chain.Source, defaults.Theta, defaults.Kernel),
-      marrow::FindGhostBoundaries(pair.TargetMesh, chain.Target, defaults.Theta, defaults.Kernel));
-    map.SetAlignment(static_cast<int>(c),
-      marrow::AlignChains(pair.SourceMesh, chain.Source, pair.TargetMesh, chain.Target, landmark));
-  }
-  return map;
+  const marrow::TransferParameters defaults;
+  return { pair.SourceMesh, pair.TargetMesh, pair.Match,
+    marrow::AlignWithLandmarks(
+      pair.SourceMesh, pair.TargetMesh, pair.Match, defaults.Theta, defaults.Kernel) };
 }
 
 /// The boundary of the source's segment `label`.

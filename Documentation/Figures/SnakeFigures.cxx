@@ -60,7 +60,8 @@ struct GroovedTubes
     : Source(GroovedTube(0.5, 0.2))
     , Target(GroovedTube(0.5 + away, 0.18))
     , Match(marrow::test::MatchTubes(Source, Target))
-    , Map(Source.Analyzed, Target.Analyzed, Match)
+    , Map(Source.Analyzed, Target.Analyzed, Match,
+        std::vector<marrow::ChainAlignment>(Match.Chains.size()))
   {
     std::vector<int> labels;
     for (const double fraction : this->Source.Fraction)

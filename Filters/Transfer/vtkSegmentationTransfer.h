@@ -5,9 +5,8 @@
  *
  * The skeletons are used as S.-K. Wong, J.-A. Yang, T.-C. Ho, J.-H. Chuang do in "A Skeleton-Based
  * Approach for Consistent Segmentation Transfer" (2012): matched branches are aligned along their
- * length by what the surface is like along both, with the places where the thickness changes (ghost
- * boundaries) as landmarks, and turned by the frames of the matched branches. From that follows a
- * dense correspondence: each target vertex is moved to the source's space with its part of the
+ * length by what the surface is like along both, and turned by the frames of the matched branches. From that
+ * follows a dense correspondence: each target vertex is moved to the source's space with its part of the
  * skeleton, drawn to the surface there, and looks up the segments.
  *
  * One energy over the target's faces then settles all boundaries at once: faces want the segment that
@@ -17,7 +16,8 @@
  * is one connected piece on the target, or absent and reported.
  *
  * With StrictBoundaries, the boundaries go the paper's way: each that encloses one branch is placed
- * on the matching branch of the target, its shape carried by cylindrical parameterizations of the
+ * on the matching branch of the target, with the places where the thickness changes (ghost boundaries) as
+ * landmarks of the alignment, its shape carried by cylindrical parameterizations of the
  * surface round both, and a snake draws it to features of the surface; near it the labels follow it.
  * All others are not carried: the segments beside them become one.
  *
@@ -179,8 +179,8 @@ public:
 
   ///@{
   /**
-   * How far a maximum of the profile of MSP's gradient along a branch must stand out to count as a
-   * ghost boundary: its ratio to the higher of the lowest values on both its sides (the paper's θ).
+   * With StrictBoundaries, how far a maximum of the profile of MSP's gradient along a branch must stand out to
+   * count as a ghost boundary: its ratio to the higher of the lowest values on both its sides (the paper's θ).
    * Default 1.5, range 1 to 100.
    */
   vtkSetClampMacro(Theta, double, 1.0, 100.0);
@@ -189,7 +189,7 @@ public:
 
   ///@{
   /**
-   * The standard deviation of the Gaussian that smoothes that profile, as a fraction of the branch's
+   * With StrictBoundaries, the standard deviation of the Gaussian that smoothes that profile, as a fraction of the branch's
    * length (the paper's K). Default 0.05, range 0.005 to 0.5.
    */
   vtkSetClampMacro(Kernel, double, 0.005, 0.5);

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChainAlignment.h"
-#include "GhostBoundary.h"
 #include "TubeShapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace marrow;
 using namespace marrow::test;
-
-TEST(GhostBoundary, BestPairIsALandmark)
-{
-  const auto landmark =
-    MatchGhostBoundaries({ { 0.3, 0.5 }, { 0.7, 0.5 } }, { { 0.66, 0.45 }, { 0.1, 0.9 } });
-  ASSERT_TRUE(landmark);
-  EXPECT_EQ(landmark->Source, 0.7);
-  EXPECT_EQ(landmark->Target, 0.66);
-  // Landmarks a third of the branch apart are none.
-  EXPECT_FALSE(MatchGhostBoundaries({ { 0.3, 0.5 } }, { { 0.6, 0.5 } }));
-  EXPECT_FALSE(MatchGhostBoundaries({}, { { 0.6, 0.5 } }));
-}
 
 TEST(ChainAlignment, IsLinearBetweenKnotsBothWays)
 {

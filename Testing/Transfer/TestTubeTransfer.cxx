@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boundaries on tubes go to places that are known.
-#include "GhostBoundary.h"
 #include "SegmentationTransfer.h"
 #include "TubeShapes.h"
 
@@ -24,10 +23,13 @@ std::vector<int> CutTube(const Tube& tube, const std::function<double(double)>& 
   return labels;
 }
 
-TransferResult Transfer(const Tube& source, const Tube& target, const std::vector<int>& labels)
+TransferResult Transfer(const Tube& source, const Tube& target, const std::vector<int>& labels,
+  bool strictBoundaries = false)
 {
+  TransferParameters parameters;
+  parameters.StrictBoundaries = strictBoundaries;
   return TransferSegmentation(source.Analyzed, target.Analyzed,
-    { { MatchTubes(source, target), 0.0, 1.0, 0.0 } }, labels, TransferParameters(), {}, {});
+    { { MatchTubes(source, target), 0.0, 1.0, 0.0 } }, labels, parameters, {}, {});
 }
 
 /// The share of triangles whose label is what `height` says.
@@ -154,25 +156,8 @@ TEST(TubeTransfer, GhostBoundariesPullTheRing)
   const Tube source = MakeTube(sourceOptions);
   const Tube target = MakeTube(targetOptions);
   const TransferResult result =
-    Transfer(source, target, CutTube(source, [](double) { return 0.5; }));
+    Transfer(source, target, CutTube(source, [](double) { return 0.5; }), true);
   EXPECT_GT(Agreement(target, result, [](double) { return 0.58; }), 0.98);
-}
-
-TEST(TubeTransfer, GhostBoundaryIsWhereTheGradientPeaks)
-{
-  TubeOptions options;
-  options.Gradient = [](double f)
-  { return 0.05 + std::exp(-0.5 * std::pow((f - 0.4) / 0.03, 2.0)); };
-  const Tube tube = MakeTube(options);
-  const Branch& branch = tube.Analyzed.Skeleton.Branches.front();
-  const auto ghosts = FindGhostBoundaries(tube.Analyzed, branch, 1.5, 0.05);
-  ASSERT_EQ(ghosts.size(), 1u);
-  const bool forward = branch.Front() == 0;
-  EXPECT_NEAR(forward ? ghosts[0].Ratio : 1.0 - ghosts[0].Ratio, 0.4, 0.03);
-  // A gentle swell does not stand out by θ.
-  options.Gradient = [](double f)
-  { return 1.0 + 0.2 * std::exp(-0.5 * std::pow((f - 0.4) / 0.03, 2.0)); };
-  EXPECT_TRUE(FindGhostBoundaries(MakeTube(options).Analyzed, branch, 1.5, 0.05).empty());
 }
 
 TEST(TubeTransfer, PatchOnTheSideIsCarriedByTheMap)
@@ -205,10 +190,7 @@ TEST(TubeTransfer, PatchOnTheSideIsCarriedByTheMap)
   EXPECT_EQ(result.Boundaries[0].TargetPoints.size(), result.Boundaries[0].SourcePoints.size());
 
   // The paper's own way drops it.
-  TransferParameters strict;
-  strict.StrictBoundaries = true;
-  const TransferResult dropped = TransferSegmentation(source.Analyzed, target.Analyzed,
-    { { MatchTubes(source, target), 0.0, 1.0, 0.0 } }, patch(source), strict, {}, {});
+  const TransferResult dropped = Transfer(source, target, patch(source), true);
   EXPECT_EQ(std::count(dropped.Labels.begin(), dropped.Labels.end(), 7), 0);
   EXPECT_EQ(dropped.MissingLabels, std::vector<int>{ 7 });
 }

@@ -11,6 +11,32 @@
 
 namespace marrow
 {
+std::vector<CarriedLoop> CarryLoops(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, const SkeletonMap& map,
+  const BoundaryTransfer::Parameters& parameters, const std::vector<SegmentLoop>& loops,
+  const std::vector<bool>& isTransferred, const Progress& progress)
+{
+  std::vector<CarriedLoop> carried;
+  BoundaryTransfer transfer(source, target, match, map, parameters);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if (!Report(progress, static_cast<double>(i) / loops.size()))
+    {
+      break;
+    }
+    const auto seat = isTransferred[loops[i].LeftPiece] && isTransferred[loops[i].RightPiece]
+      ? FindSeat(source, match, loops[i])
+      : std::nullopt;
+    auto cut = seat ? transfer.Transfer(loops[i], *seat, map.TargetRatio(seat->Chain, seat->Ratio))
+                    : std::nullopt;
+    if (cut)
+    {
+      carried.push_back({ static_cast<int>(i), std::move(*cut) });
+    }
+  }
+  return carried;
+}
+
 SegmentPieces MergePieces(const SegmentPieces& pieces, const std::vector<SegmentLoop>& loops,
   const std::vector<CarriedLoop>& carried)
 {

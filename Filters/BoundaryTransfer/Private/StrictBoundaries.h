@@ -4,6 +4,7 @@
 
 #include "AnalyzedMesh.h"
 #include "BoundaryTransfer.h"
+#include "Progress.h"
 #include "SegmentLoops.h"
 
 #include <vector>
@@ -16,6 +17,13 @@ struct CarriedLoop
   int Loop = -1;
   BoundaryTransfer::Cut Cut;
 };
+
+/// Carries the loops between transferred pieces that enclose one matched branch, each by the frames of that
+/// branch; as far as it got if `progress` asks to stop.
+std::vector<CarriedLoop> CarryLoops(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, const SkeletonMap& map,
+  const BoundaryTransfer::Parameters& parameters, const std::vector<SegmentLoop>& loops,
+  const std::vector<bool>& isTransferred, const Progress& progress);
 
 /// The pieces as only the carried loops part them: pieces on both sides of any other loop become one,
 /// under the label of the largest.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShapePair.h"
 
-#include "AnswerPlaces.h"
+#include "NodePlaces.h"
 #include "AnswerSearch.h"
 #include "DenseMap.h"
 #include "SliceAnswers.h"
@@ -143,13 +143,10 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
     isStopped = isStopped || !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
     return !isStopped;
   };
-  const auto mapBySkeletons = [&]()
-  {
-    SkeletonMap skeletonMap(source, target, seen.Match);
-    AlignWithLandmarks(source, target, seen.Match, {}, skeletonMap);
-    return mapper.Map(PlacesByMap(source, target, skeletonMap), !seen.Match.IsEmpty(), watched);
-  };
-  const DenseMap map = seen.Slices ? mapper.Map(*seen.Slices, watched) : mapBySkeletons();
+  const SkeletonMap skeletonMap(
+    source, target, seen.Match, AlignByProfiles(source, target, seen.Match));
+  const DenseMap map =
+    mapper.Map(seen, PlaceNodes(source, target, skeletonMap).OfTarget, watched);
   if (!isStopped)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnswerChoice.h"
 
-#include "AnswerPlaces.h"
 #include "AnswerSearch.h"
+#include "NodePlaces.h"
 #include "SkeletonMap.h"
 #include "WeightedMedian.h"
 
@@ -81,14 +81,9 @@ std::vector<SurfaceHint> ToCoarse(
 AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, DenseMapper& mapper,
   const Answer& answer, const std::vector<SurfaceHint>& hints)
 {
-  const auto mapBySkeletons = [&]()
-  {
-    SkeletonMap skeletonMap(source.Side, target.Side, answer.Match);
-    AlignByProfiles(source.Side, target.Side, answer.Match, skeletonMap);
-    return mapper.Map(
-      PlacesByMap(source.Side, target.Side, skeletonMap), !answer.Match.IsEmpty(), {});
-  };
-  DenseMap map = answer.Slices ? mapper.Map(*answer.Slices, {}) : mapBySkeletons();
+  const SkeletonMap skeletonMap(source.Side, target.Side, answer.Match,
+    AlignByProfiles(source.Side, target.Side, answer.Match));
+  DenseMap map = mapper.Map(answer, PlaceNodes(source.Side, target.Side, skeletonMap).OfTarget, {});
   AnswerTrial trial;
   trial.Against = Judge(source, target, answer, map);
   trial.Against.Hints = answer.CostOfHints + CostOfHints(source.Side, hints, map.FoundTriangles);

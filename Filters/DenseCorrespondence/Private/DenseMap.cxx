@@ -194,41 +194,60 @@ double DenseMapper::Standoff(const DenseMap& map) const
   return total > 0.0 ? sum / (total * std::max(this->Source.Diagonal(), 1e-300)) : 0.0;
 }
 
-DenseMap DenseMapper::Map(
-  const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress)
-{
-  const int numberOfVertices = this->Target.Mesh.NumberOfVertices();
-  DenseMap map;
-  if (anyMatched)
-  {
-    map.Places = this->QueriesBySkeleton(places, map.Certainty);
-    map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
-    // A correspondence that is wrong brings the surfaces together no better than none.
-    constexpr double goodEnough = 0.2;
-    constexpr double clearlyBetter = 0.85;
-    const double misfit = this->Misfit(map.Places, map.FoundTriangles);
-    map.IsWholeAlignment =
-      !(misfit < goodEnough || misfit < clearlyBetter * this->GetWhole().Misfit);
-  }
-  if (map.IsWholeAlignment)
-  {
-    const WholeMap& whole = this->GetWhole();
-    map.Places = whole.Queries;
-    map.Candidates = whole.Candidates;
-    map.FoundTriangles = whole.Found;
-    map.Certainty.assign(numberOfVertices, 1.0);
-  }
-  this->Correct(map, progress);
-  return map;
-}
-
-DenseMap DenseMapper::Map(const SliceAlignment& alignment, const Progress& progress) const
+DenseMap DenseMapper::StartBySlices(const SliceAlignment& alignment) const
 {
   DenseMap map;
   map.Places = PlacesBySlices(this->Source, this->Target.Mesh, alignment, *this->Search);
   map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
   map.Certainty.assign(map.Places.size(), 1.0);
-  map.IsWholeAlignment = false;
+  return map;
+}
+
+DenseMap DenseMapper::StartBySkeletons(const std::vector<SkeletonMap::Place>& places)
+{
+  DenseMap map;
+  map.Places = this->QueriesBySkeleton(places, map.Certainty);
+  map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
+  return map;
+}
+
+bool DenseMapper::IsWholeBetter(const DenseMap& map)
+{
+  // A correspondence that is wrong brings the surfaces together no better than none.
+  constexpr double goodEnough = 0.2;
+  constexpr double clearlyBetter = 0.85;
+  const double misfit = this->Misfit(map.Places, map.FoundTriangles);
+  return !(misfit < goodEnough || misfit < clearlyBetter * this->GetWhole().Misfit);
+}
+
+DenseMap DenseMapper::StartAsWhole()
+{
+  const WholeMap& whole = this->GetWhole();
+  DenseMap map;
+  map.Places = whole.Queries;
+  map.Candidates = whole.Candidates;
+  map.FoundTriangles = whole.Found;
+  map.Certainty.assign(map.Places.size(), 1.0);
+  map.IsWholeAlignment = true;
+  return map;
+}
+
+DenseMap DenseMapper::Map(
+  const Answer& answer, const std::vector<SkeletonMap::Place>& places, const Progress& progress)
+{
+  DenseMap map;
+  if (answer.Slices)
+  {
+    map = this->StartBySlices(*answer.Slices);
+  }
+  else if (!answer.IsEmpty())
+  {
+    map = this->StartBySkeletons(places);
+  }
+  if (answer.IsEmpty() || (!answer.Slices && this->IsWholeBetter(map)))
+  {
+    map = this->StartAsWhole();
+  }
   this->Correct(map, progress);
   return map;
 }

@@ -3,11 +3,11 @@
 #define marrow_DenseMap_h
 
 #include "AnalyzedMesh.h"
+#include "Answer.h"
 #include "Guidance.h"
 #include "MeshSmoother.h"
 #include "Progress.h"
 #include "SkeletonMap.h"
-#include "SliceAlignment.h"
 #include "SourceSearch.h"
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ struct DenseMap
   std::vector<SourceSearch::Candidates> Candidates; ///< per target vertex, near its place
   std::vector<int> FoundTriangles; ///< per target vertex the source's triangle there
   std::vector<double> Certainty;   ///< per target vertex: 1 on matched branches, else less
-  bool IsWholeAlignment = true;    ///< the skeletons were of no use
+  bool IsWholeAlignment = false;   ///< the skeletons were of no use
   /// How far the target stood off the source's surface before the corrections, on average, of the
   /// source's diagonal: how different the shapes are, and so how far the map may be wrong.
   double Standoff = 0.0;
@@ -57,11 +57,9 @@ public:
   /// What smoothes the map over a target.
   static std::shared_ptr<const MeshSmoother> SmootherOf(const AnalyzedMesh& target);
 
+  /// By the answer's slices if it has some, else by its skeletons: `places` are those of the target's nodes.
   DenseMap Map(
-    const std::vector<SkeletonMap::Place>& places, bool anyMatched, const Progress& progress);
-
-  /// The same for surfaces of revolution.
-  DenseMap Map(const SliceAlignment& alignment, const Progress& progress) const;
+    const Answer& answer, const std::vector<SkeletonMap::Place>& places, const Progress& progress);
 
   /// Target vertices x segments: how likely the vertex belongs to each segment of the source, by the
   /// triangles that it finds. Rows sum to 1.
@@ -80,6 +78,10 @@ private:
   const Eigen::Matrix<double, 3, 4>& GetAlignment();
   const WholeMap& GetWhole();
 
+  DenseMap StartBySlices(const SliceAlignment& alignment) const;
+  DenseMap StartBySkeletons(const std::vector<SkeletonMap::Place>& places);
+  DenseMap StartAsWhole();
+  bool IsWholeBetter(const DenseMap& map);
   Eigen::MatrixXd SmoothTransforms(const std::vector<SkeletonMap::Place>& places);
   std::vector<SourceSearch::Query> QueriesBySkeleton(
     const std::vector<SkeletonMap::Place>& places, std::vector<double>& certainty);

@@ -63,25 +63,19 @@ double TangentReach(const AnalyzedMesh& side, const Branch& chain, double ratio)
 }
 }
 
-SkeletonMap::SkeletonMap(
-  const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match)
+SkeletonMap::SkeletonMap(const AnalyzedMesh& source, const AnalyzedMesh& target,
+  const MatchedSkeletons& match, std::vector<ChainAlignment> alignments)
   : Source(source)
   , Target(target)
   , Match(match)
   , Frames(match.Chains.size())
-  , Alignments(match.Chains.size())
+  , Alignments(std::move(alignments))
 {
   this->ComputeGlobalRotation();
   for (std::size_t c = 0; c < match.Chains.size(); ++c)
   {
     this->ComputeChainFrames(static_cast<int>(c));
   }
-}
-
-void SkeletonMap::SetAlignment(int chain, ChainAlignment alignment)
-{
-  this->Alignments[chain] = std::move(alignment);
-  this->ComputeChainFrames(chain);
 }
 
 void SkeletonMap::ComputeGlobalRotation()

@@ -22,11 +22,9 @@ namespace marrow
 class SkeletonMap
 {
 public:
-  SkeletonMap(
-    const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match);
-
-  /// Which places of a chain pair correspond; equal ratios until it is set.
-  void SetAlignment(int chain, ChainAlignment alignment);
+  /// `alignments`: per pair of chains which of its places correspond.
+  SkeletonMap(const AnalyzedMesh& source, const AnalyzedMesh& target, const MatchedSkeletons& match,
+    std::vector<ChainAlignment> alignments);
 
   double TargetRatio(int chain, double sourceRatio) const
   {
@@ -55,7 +53,7 @@ public:
     Eigen::Matrix<double, 3, 4> Transform =
       Eigen::Matrix<double, 3, 4>::Zero(); ///< target to source
   };
-  /// One place per target node, after the alignments were set.
+  /// One place per target node.
   std::vector<Place> PlacesOfTargetNodes() const;
   /// Whether a source node lies on a matched chain or is a matched node.
   std::vector<bool> MatchedSourceNodes() const;

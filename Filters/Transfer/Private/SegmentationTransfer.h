@@ -13,14 +13,14 @@
 
 namespace marrow
 {
-/// What can be set about a transfer; names and defaults are the transfer paper's.
+/// The transfer paper's way, boundaries around one branch and no others, and what can be set about it.
 struct TransferParameters
 {
-  double Theta = 1.5;            ///< how far a ghost boundary stands out
-  double Kernel = 0.05;          ///< K, smoothing of profiles, of the chain's length
-  double Lambda = 0.1;           ///< λ, tolerance of dihedral angles, radians
-  double SearchRegion = 0.02;    ///< of the snake, of the longest geodesic distance
-  bool StrictBoundaries = false; ///< the paper's way: boundaries round one branch, and no others
+  bool StrictBoundaries = false;
+  double Theta = 1.5;         ///< how far a ghost boundary stands out
+  double Kernel = 0.05;       ///< K, smoothing of profiles, of the chain's length
+  double Lambda = 0.1;        ///< λ, tolerance of dihedral angles, radians
+  double SearchRegion = 0.02; ///< of the snake, of the longest geodesic distance
 };
 
 /// A boundary of the source and, if it was transferred, of the target.

@@ -104,13 +104,14 @@ def transfer(
     strict_boundaries : bool, default: False
         Carry only the boundaries of the paper, those around one branch.
     theta : float, 1 to 100, default: 1.5
-        How far a change of thickness must stand out to be a landmark on a branch.
+        With strict_boundaries, how far a change of thickness must stand out to be a landmark on a branch.
     kernel : float, 0.005 to 0.5, default: 0.05
-        Smoothing of the thickness along a branch, over the branch's length.
+        With strict_boundaries, smoothing of the thickness along a branch, over the branch's length.
     lambda_ : float, 0 to pi, radians, default: 0.1
-        Vertices whose dihedral angles differ by less are the same feature to the snake.
+        With strict_boundaries, vertices whose dihedral angles differ by less are the same feature to the
+        snake.
     search_region : float, 0 to 0.2, default: 0.02
-        How far the snake may move a boundary, over the target's longest geodesic distance.
+        With strict_boundaries, how far the snake may move a boundary, over the target's longest geodesic distance.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 

@@ -277,4 +277,18 @@ std::optional<Landmark> MatchGhostBoundaries(
   }
   return best;
 }
+
+std::vector<ChainAlignment> AlignWithLandmarks(const AnalyzedMesh& source,
+  const AnalyzedMesh& target, const MatchedSkeletons& match, double theta, double kernel)
+{
+  std::vector<ChainAlignment> alignments;
+  for (const ChainPair& chain : match.Chains)
+  {
+    const auto landmark =
+      MatchGhostBoundaries(FindGhostBoundaries(source, chain.Source, theta, kernel),
+        FindGhostBoundaries(target, chain.Target, theta, kernel));
+    alignments.push_back(AlignChains(source, chain.Source, target, chain.Target, landmark));
+  }
+  return alignments;
+}
 }

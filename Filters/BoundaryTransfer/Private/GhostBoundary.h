@@ -4,6 +4,7 @@
 
 #include "AnalyzedMesh.h"
 #include "ChainAlignment.h"
+#include "MatchedSkeletons.h"
 
 #include <optional>
 #include <vector>
@@ -34,6 +35,11 @@ std::vector<GhostBoundary> FindGhostBoundaries(
 /// (0.01, 0.99).
 std::optional<Landmark> MatchGhostBoundaries(
   const std::vector<GhostBoundary>& source, const std::vector<GhostBoundary>& target);
+
+/// Aligns all matched chains by what the surface is like along them, with the best pair of ghost boundaries
+/// as a landmark.
+std::vector<ChainAlignment> AlignWithLandmarks(const AnalyzedMesh& source,
+  const AnalyzedMesh& target, const MatchedSkeletons& match, double theta, double kernel);
 }
 
 #endif
