@@ -79,8 +79,7 @@
  * | CorrespondenceConfidence | field | double | in [0,1], see below |
  *
  * Only terminals and junctions have a CorrespondenceId. Several points of one skeleton with one id
- * are a merged group (a terminal may be matched with a junction that carries a pair of twins: a head
- * with what carries two horns), several polylines with one BranchCorrespondenceId a chain of merged
+ * are a merged group, several polylines with one BranchCorrespondenceId a chain of merged
  * branches; polylines inside a merged group have -1. A chain runs on both skeletons from the same
  * CorrespondenceId to the same CorrespondenceId, also where the two are equal (a loop): walk its
  * polylines in their order, backwards where reversed. The fields up to the leaves are the numbers

@@ -188,43 +188,6 @@ std::vector<RatedLeaf> RefineLeaves(const TerminalPaths& source, const TerminalP
   }
   return refined;
 }
-/// One limb against a pair of twins (a head against two horns) is matched with what carries the pair,
-/// rather than with one of the two.
-void MatchWhatCarriesTwins(const TerminalPaths& paths, std::vector<int> MatchedBranches::*path,
-  FeatureGroup MatchedNodes::*group, FeatureCorrespondence& match)
-{
-  /// Terminals of at least this similarity in their own skeleton are a pair.
-  constexpr double twins = 0.5;
-  const FeatureGraph& graph = paths.Graph();
-  std::set<int> matched;
-  for (const MatchedNodes& nodes : match.Nodes)
-  {
-    matched.insert((nodes.*group).Features.begin(), (nodes.*group).Features.end());
-  }
-  for (MatchedBranches& branches : match.Branches)
-  {
-    std::vector<int>& chain = branches.*path;
-    const int terminal = chain.size() < 2 ? -1 : paths.TerminalAt(graph.Head(chain.back()));
-    if (terminal < 0 || branches.Last < 0)
-    {
-      continue;
-    }
-    const int junction = graph.Origin(chain.back());
-    const auto& darts = graph.GetFeatures()[junction].Darts;
-    const bool hasTwin = std::any_of(darts.begin(), darts.end(),
-      [&](int dart)
-      {
-        const int other = paths.TerminalAt(graph.Head(dart));
-        return other >= 0 && other != terminal && matched.count(graph.Head(dart)) == 0 &&
-          paths.Between(terminal, other).Likeness > twins;
-      });
-    if (hasTwin)
-    {
-      chain.pop_back();
-      (match.Nodes[branches.Last].*group).Features = { junction };
-    }
-  }
-}
 }
 
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
@@ -260,16 +223,6 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
   }
   AddPaperCosts(result);
   SortBy(result, global ? &RatedLeaf::GlobalCost : &RatedLeaf::PaperCost);
-  for (RatedLeaf& leaf : result)
-  {
-    if (leaf.Refined)
-    {
-      MatchWhatCarriesTwins(
-        sourcePaths, &MatchedBranches::Source, &MatchedNodes::Source, leaf.Match);
-      MatchWhatCarriesTwins(
-        targetPaths, &MatchedBranches::Target, &MatchedNodes::Target, leaf.Match);
-    }
-  }
   RemoveRepetitions(result);
   return result;
 }
