@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShapePair.h"
 
-#include "NodePlaces.h"
 #include "AnswerSearch.h"
 #include "DenseMap.h"
+#include "NodePlaces.h"
 #include "SliceAnswers.h"
 
 #include <algorithm>
@@ -145,8 +145,7 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   };
   const SkeletonMap skeletonMap(
     source, target, seen.Match, AlignByProfiles(source, target, seen.Match));
-  const DenseMap map =
-    mapper.Map(seen, PlaceNodes(source, target, skeletonMap).OfTarget, watched);
+  const DenseMap map = mapper.Map(seen, PlaceNodes(source, target, skeletonMap).OfTarget, watched);
   if (!isStopped)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
