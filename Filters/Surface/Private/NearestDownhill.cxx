@@ -28,6 +28,7 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
 {
   int best = start;
   double least = this->SquaredDistance(point, start);
+  double leastDistance = std::sqrt(least);
   for (int last = -1; last != best;)
   {
     last = best;
@@ -37,7 +38,7 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
         [&](int h)
         {
           const int t = TriangleMesh::TriangleOf(h);
-          if (t == last || this->IsBeyond(point, t, least))
+          if (t == last || this->IsBeyond(point, t, leastDistance))
           {
             return;
           }
@@ -45,6 +46,7 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
           if (distance < least)
           {
             least = distance;
+            leastDistance = std::sqrt(least);
             best = t;
           }
         });
@@ -53,11 +55,11 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
   return best;
 }
 
-bool NearestDownhill::IsBeyond(const Eigen::Vector3d& point, int triangle, double squared) const
+bool NearestDownhill::IsBeyond(const Eigen::Vector3d& point, int triangle, double distance) const
 {
   const Ball& ball = this->Balls[triangle];
   constexpr double withRounding = 1.0 + 1e-6; // more than rounding can take away
-  const double reach = (ball.Radius + std::sqrt(squared)) * withRounding;
+  const double reach = (ball.Radius + distance) * withRounding;
   return (point - ball.Center).squaredNorm() > reach * reach;
 }
 

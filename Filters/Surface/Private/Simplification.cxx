@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace marrow
 {
@@ -58,6 +58,14 @@ struct Candidate
   bool Backward;
 };
 
+/// What the collapse of an edge costs, the cheaper way, and the pass before which that was found.
+struct EdgeCost
+{
+  double Cost;
+  int Pass = -1;
+  bool Backward;
+};
+
 class Simplifying
 {
 public:
@@ -66,7 +74,10 @@ public:
     , Quadrics(input.Points.size())
     , RingArea(input.VertexAreas())
     , Locked(input.Points.size(), 0)
+    , Costs(3 * input.Triangles.size())
+    , Present(input.Triangles.size())
   {
+    std::iota(this->Present.begin(), this->Present.end(), 0);
     const TriangleMesh& mesh = this->Collapsing.Mesh();
     for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
     {
@@ -101,12 +112,18 @@ public:
   int Pass(int goal, double share)
   {
     const TriangleMesh& mesh = this->Collapsing.Mesh();
+    this->Present.erase(std::remove_if(this->Present.begin(), this->Present.end(),
+                          [&](int t) { return this->Collapsing.IsRemoved(t); }),
+      this->Present.end());
     this->Candidates.clear();
-    for (int h = 0; h < 3 * mesh.NumberOfTriangles(); ++h)
+    for (const int t : this->Present)
     {
-      if (!this->Collapsing.IsRemoved(h / 3) && mesh.Opposite[h] < h)
+      for (int h = 3 * t; h < 3 * t + 3; ++h)
       {
-        this->AddCandidate(h);
+        if (mesh.Opposite[h] < h)
+        {
+          this->AddCandidate(h);
+        }
       }
     }
     const auto isBefore = [&](const Candidate& a, const Candidate& b)
@@ -159,12 +176,18 @@ private:
     const TriangleMesh& mesh = this->Collapsing.Mesh();
     const int from = mesh.From(h);
     const int to = mesh.To(h);
-    const double length = (mesh.Points[to] - mesh.Points[from]).squaredNorm();
-    Quadric sum = this->Quadrics[from];
-    sum += this->Quadrics[to];
-    const double forward = sum.At(mesh.Points[to]) + EvenWeight * length * this->RingArea[from];
-    const double backward = sum.At(mesh.Points[from]) + EvenWeight * length * this->RingArea[to];
-    this->Candidates.push_back({ std::min(forward, backward), h, backward < forward });
+    EdgeCost& known = this->Costs[h];
+    // A cost holds until one of the edge's ends has drawn another vertex into it.
+    if (std::max(this->Locked[from], this->Locked[to]) > known.Pass)
+    {
+      const double length = (mesh.Points[to] - mesh.Points[from]).squaredNorm();
+      Quadric sum = this->Quadrics[from];
+      sum += this->Quadrics[to];
+      const double forward = sum.At(mesh.Points[to]) + EvenWeight * length * this->RingArea[from];
+      const double backward = sum.At(mesh.Points[from]) + EvenWeight * length * this->RingArea[to];
+      known = { std::min(forward, backward), this->PassNumber, backward < forward };
+    }
+    this->Candidates.push_back({ known.Cost, h, known.Backward });
   }
 
   bool TryCollapse(const Candidate& candidate)
@@ -218,7 +241,9 @@ private:
 
   std::vector<Quadric> Quadrics;
   std::vector<double> RingArea;
-  std::vector<int> Locked; ///< per vertex: the last pass that drew another into it
+  std::vector<int> Locked;     ///< per vertex: the last pass that drew another into it
+  std::vector<EdgeCost> Costs; ///< per half-edge
+  std::vector<int> Present;    ///< the triangles that are left, at the start of a pass
   std::vector<Candidate> Candidates;
   int PassNumber = 0;
 };
@@ -284,11 +309,19 @@ bool SimplifyMesh(
     }
   }
   const NearestDownhill nearestDownhill(output.Mesh);
-  output.TriangleOfOld.resize(mesh.Triangles.size());
+  output.TriangleOfOld.assign(mesh.Triangles.size(), -1);
   for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const int corner = output.VertexOfOld[mesh.Triangles[t][0]];
-    const int from = newTriangle[t] >= 0 ? newTriangle[t] : output.Mesh.Outgoing[corner] / 3;
+    // From itself, from where a neighbour was found, or from what its first corner was drawn into.
+    int from = newTriangle[t];
+    for (int h = 3 * t; from < 0 && h < 3 * t + 3; ++h)
+    {
+      from = mesh.Opposite[h] >= 0 ? output.TriangleOfOld[mesh.Opposite[h] / 3] : -1;
+    }
+    if (from < 0)
+    {
+      from = output.Mesh.Outgoing[output.VertexOfOld[mesh.Triangles[t][0]]] / 3;
+    }
     output.TriangleOfOld[t] = nearestDownhill.Find(mesh.Centroid(t), from);
   }
   // The survivor may have come from further away than a corner of the nearest triangle.
