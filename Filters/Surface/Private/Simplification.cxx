@@ -2,7 +2,6 @@
 #include "Simplification.h"
 
 #include "EdgeOperations.h"
-#include "NearestDownhill.h"
 #include "Quadric.h"
 
 #include <Eigen/Geometry>
@@ -277,9 +276,9 @@ bool SimplifyMesh(
   const TriangleMesh& collapsed = collapsing.Mesh();
   const int numberOfOld = mesh.NumberOfVertices();
   std::vector<int> newVertex(numberOfOld, -1);
-  std::vector<int> newTriangle(mesh.Triangles.size(), -1);
   output.Mesh = {};
   output.OldVertex.clear();
+  output.TriangleOfOld.assign(mesh.Triangles.size(), -1);
   for (int v = 0; v < numberOfOld; ++v)
   {
     if (collapsed.Outgoing[v] >= 0)
@@ -293,7 +292,7 @@ bool SimplifyMesh(
   {
     if (!collapsing.IsRemoved(t))
     {
-      newTriangle[t] = output.Mesh.NumberOfTriangles();
+      output.TriangleOfOld[t] = output.Mesh.NumberOfTriangles();
       const auto& c = collapsed.Triangles[t];
       output.Mesh.Triangles.push_back({ newVertex[c[0]], newVertex[c[1]], newVertex[c[2]] });
     }
@@ -306,38 +305,6 @@ bool SimplifyMesh(
     if (mesh.Outgoing[v] >= 0)
     {
       output.VertexOfOld[v] = newVertex[collapsing.Survivor(v)];
-    }
-  }
-  const NearestDownhill nearestDownhill(output.Mesh);
-  output.TriangleOfOld.assign(mesh.Triangles.size(), -1);
-  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    // From itself, from where a neighbour was found, or from what its first corner was drawn into.
-    int from = newTriangle[t];
-    for (int h = 3 * t; from < 0 && h < 3 * t + 3; ++h)
-    {
-      from = mesh.Opposite[h] >= 0 ? output.TriangleOfOld[mesh.Opposite[h] / 3] : -1;
-    }
-    if (from < 0)
-    {
-      from = output.Mesh.Outgoing[output.VertexOfOld[mesh.Triangles[t][0]]] / 3;
-    }
-    output.TriangleOfOld[t] = nearestDownhill.Find(mesh.Centroid(t), from);
-  }
-  // The survivor may have come from further away than a corner of the nearest triangle.
-  for (int v = 0; v < numberOfOld; ++v)
-  {
-    if (mesh.Outgoing[v] >= 0 && newVertex[v] < 0)
-    {
-      for (int corner : output.Mesh.Triangles[output.TriangleOfOld[mesh.Outgoing[v] / 3]])
-      {
-        int& nearest = output.VertexOfOld[v];
-        if ((output.Mesh.Points[corner] - mesh.Points[v]).squaredNorm() <
-          (output.Mesh.Points[nearest] - mesh.Points[v]).squaredNorm())
-        {
-          nearest = corner;
-        }
-      }
     }
   }
   return Report(progress, 1.0);
