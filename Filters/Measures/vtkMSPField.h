@@ -14,7 +14,8 @@
  * - AGD, average geodesic distance (correspondence paper 4.1): the area-weighted mean of the
  * geodesic distances from a vertex to all others of its component, normalised over the component to
  * [0,1]. It is small at the middle of the shape and large at its extremities. By default it is
- * taken from sampled sources, which differs from all pairs by less than 0.01 in the mean.
+ * taken from sampled sources, on meshes of more than 25,000 triangles along the surface simplified to
+ * 20,000, which differs from all pairs by less than 0.01 in the mean.
  * - MSP, minimum slice perimeter (correspondence paper 5, transfer paper 3.4): the least perimeter
  * of the curves in which planes through the vertex and its normal cut the surface. It tells how
  * thick the part is, and its curve's centroid lies in the middle of it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AverageGeodesicDistance.h"
+#include "CoarseGeodesicDistance.h"
 #include "GeodesicSolver.h"
 #include "MeasureShapes.h"
 
@@ -113,6 +114,39 @@ TEST(AverageGeodesicDistance, GrowsWithTheSquareAlongARod)
       ASSERT_NEAR(agd[v], z * z, 0.03) << v;
     }
   }
+}
+
+TEST(CoarseGeodesicDistance, GrowsWithTheSquareBetweenTheVerticesThatAreLeft)
+{
+  const double length = 10.0;
+  TriangleMesh mesh = MakeCylinder(0.1, length, 24, 300);
+  mesh.Points.push_back({ 0.0, 50.0, 0.0 }); // used by no triangle
+  mesh.BuildConnectivity();
+  std::vector<double> agd;
+  ASSERT_TRUE(ComputeCoarseGeodesicDistance(mesh, 3000, 64, agd));
+  double most = 0.0;
+  for (int v = 0; v + 1 < mesh.NumberOfVertices(); ++v)
+  {
+    const double z = 2.0 * mesh.Points[v].z() / length;
+    ASSERT_NEAR(agd[v], z * z, 0.04) << v;
+    most = std::max(most, agd[v]);
+  }
+  EXPECT_EQ(most, 1.0);
+  EXPECT_EQ(agd.back(), 0.0);
+  EXPECT_FALSE(ComputeCoarseGeodesicDistance(mesh, 3000, 64, agd, [](double) { return false; }));
+}
+
+TEST(CoarseGeodesicDistance, ComesCloseToThatOfTheWholeMesh)
+{
+  const TriangleMesh mesh = MakeEgg(5);
+  std::vector<double> agd;
+  ASSERT_TRUE(ComputeCoarseGeodesicDistance(mesh, mesh.NumberOfTriangles() / 4, 64, agd));
+  const std::vector<double> whole = AGDOf(mesh, 64);
+  EXPECT_LT(MeanDifference(agd, whole), 0.01);
+  EXPECT_NE(agd, whole) << "it was not simplified";
+  // What is small enough stays as it is.
+  ASSERT_TRUE(ComputeCoarseGeodesicDistance(mesh, mesh.NumberOfTriangles(), 64, agd));
+  EXPECT_EQ(agd, whole);
 }
 
 TEST(AverageGeodesicDistance, SamplesComeCloseToAllPairs)

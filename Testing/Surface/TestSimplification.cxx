@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "NearestTriangles.h"
 #include "Simplification.h"
 #include "SurfaceShapes.h"
 #include "TriangleTree.h"
@@ -14,6 +15,7 @@ SimplifiedMesh Simplify(const TriangleMesh& mesh, int faces)
 {
   SimplifiedMesh result;
   EXPECT_TRUE(SimplifyMesh(mesh, faces, {}, result));
+  FindNearest(mesh, result);
   return result;
 }
 

@@ -5,57 +5,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace marrow
 {
-namespace
-{
-struct EdgeKey
-{
-  int Low;
-  int High;
-  int HalfEdge;
-
-  bool SameEdge(const EdgeKey& other) const { return Low == other.Low && High == other.High; }
-  bool operator<(const EdgeKey& other) const
-  {
-    return Low != other.Low ? Low < other.Low
-                            : (High != other.High ? High < other.High : HalfEdge < other.HalfEdge);
-  }
-};
-}
-
 void TriangleMesh::BuildConnectivity()
 {
   const int numberOfHalfEdges = 3 * this->NumberOfTriangles();
-  std::vector<EdgeKey> edges(numberOfHalfEdges);
+  // The half-edges by the lower of their ends: few share one.
+  std::vector<int> first(this->Points.size() + 1, 0);
+  const auto low = [this](int h) { return std::min(this->From(h), this->To(h)); };
   for (int h = 0; h < numberOfHalfEdges; ++h)
   {
-    const int from = this->From(h);
-    const int to = this->To(h);
-    edges[h] = { std::min(from, to), std::max(from, to), h };
+    ++first[low(h)];
   }
-  std::sort(edges.begin(), edges.end());
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> halfEdges(numberOfHalfEdges);
+  for (int h = numberOfHalfEdges; h-- > 0;)
+  {
+    halfEdges[--first[low(h)]] = h;
+  }
 
   this->Opposite.assign(numberOfHalfEdges, -1);
-  for (std::size_t first = 0; first < edges.size();)
+  std::vector<std::pair<int, int>> group; // the higher end beside the half-edge
+  for (std::size_t v = 0; v < this->Points.size(); ++v)
   {
-    std::size_t last = first + 1;
-    while (last < edges.size() && edges[last].SameEdge(edges[first]))
+    group.clear();
+    for (int i = first[v]; i < first[v + 1]; ++i)
     {
-      ++last;
+      const int h = halfEdges[i];
+      group.emplace_back(std::max(this->From(h), this->To(h)), h);
     }
-    if (last == first + 2)
+    std::sort(group.begin(), group.end());
+    for (std::size_t begin = 0; begin < group.size();)
     {
-      const int a = edges[first].HalfEdge;
-      const int b = edges[first + 1].HalfEdge;
-      if (this->From(a) == this->To(b) && this->From(a) != this->To(a))
+      std::size_t end = begin + 1;
+      while (end < group.size() && group[end].first == group[begin].first)
       {
-        this->Opposite[a] = b;
-        this->Opposite[b] = a;
+        ++end;
       }
+      if (end == begin + 2)
+      {
+        const int a = group[begin].second;
+        const int b = group[begin + 1].second;
+        if (this->From(a) == this->To(b) && this->From(a) != this->To(a))
+        {
+          this->Opposite[a] = b;
+          this->Opposite[b] = a;
+        }
+      }
+      begin = end;
     }
-    first = last;
   }
 
   this->Outgoing.assign(this->Points.size(), -1);

@@ -29,7 +29,7 @@ struct TriangleMesh
   int NumberOfVertices() const { return static_cast<int>(this->Points.size()); }
   int NumberOfTriangles() const { return static_cast<int>(this->Triangles.size()); }
 
-  /// Fills Opposite and Outgoing from Triangles. O(n log n).
+  /// Fills Opposite and Outgoing from Triangles. O(n).
   void BuildConnectivity();
 
   static int Next(int halfEdge) { return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1; }

@@ -159,16 +159,18 @@ bool SumOverSources(const GeodesicSolver& solver, int component, const Samples& 
           {
             return;
           }
+          std::vector<double> areas;
+          for (std::size_t lane = 0; lane < batches[batch].size(); ++lane)
+          {
+            areas.push_back(samples.Areas[index[GeodesicSolver::Lanes * batch + lane]]);
+          }
           std::vector<double>& sum = partial[batch - first];
-          sum.assign(size, 0.0);
+          sum.resize(size);
           for (int i = 0; i < size; ++i)
           {
-            for (std::size_t lane = 0; lane < batches[batch].size(); ++lane)
-            {
-              const int sample = index[GeodesicSolver::Lanes * batch + lane];
-              sum[i] += samples.Areas[sample] *
-                distances[static_cast<std::size_t>(GeodesicSolver::Lanes) * i + lane];
-            }
+            const float* own =
+              distances.data() + static_cast<std::size_t>(GeodesicSolver::Lanes) * i;
+            sum[i] = std::inner_product(areas.begin(), areas.end(), own, 0.0);
           }
         }
       });

@@ -12,7 +12,7 @@ namespace
 {
 constexpr int Count = SliceLaneCount;
 // The bound costs a square root: look at it every so many steps.
-constexpr int StepsPerBoundCheck = 4;
+constexpr int StepsPerBoundCheck = 6;
 
 using Lane = std::array<double, Count>;
 struct alignas(64) LanePoint

@@ -4,6 +4,7 @@
 #include "TriangleTree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace marrow
@@ -28,8 +29,39 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
 {
   int best = start;
   double least = this->SquaredDistance(point, start);
+  double leastDistance = std::sqrt(least);
+  const auto offer = [&](int t)
+  {
+    if (this->IsBeyond(point, t, leastDistance))
+    {
+      return;
+    }
+    const double distance = this->SquaredDistance(point, t);
+    if (distance < least)
+    {
+      least = distance;
+      leastDistance = std::sqrt(least);
+      best = t;
+    }
+  };
+  // Over edges as long as that helps, as few are looked at, and then over corners.
   for (int last = -1; last != best;)
   {
+    std::array<int, 4> seen{};
+    for (int step = -1; step != best;)
+    {
+      step = best;
+      seen.fill(step);
+      for (int k = 0; k < 3; ++k)
+      {
+        const int opposite = this->Mesh.Opposite[3 * step + k];
+        if (opposite >= 0)
+        {
+          seen[k] = TriangleMesh::TriangleOf(opposite);
+          offer(seen[k]);
+        }
+      }
+    }
     last = best;
     for (const int corner : this->Mesh.Triangles[last])
     {
@@ -37,15 +69,9 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
         [&](int h)
         {
           const int t = TriangleMesh::TriangleOf(h);
-          if (t == last || this->IsBeyond(point, t, least))
+          if (std::find(seen.begin(), seen.end(), t) == seen.end())
           {
-            return;
-          }
-          const double distance = this->SquaredDistance(point, t);
-          if (distance < least)
-          {
-            least = distance;
-            best = t;
+            offer(t);
           }
         });
     }
@@ -53,11 +79,11 @@ int NearestDownhill::Find(const Eigen::Vector3d& point, int start) const
   return best;
 }
 
-bool NearestDownhill::IsBeyond(const Eigen::Vector3d& point, int triangle, double squared) const
+bool NearestDownhill::IsBeyond(const Eigen::Vector3d& point, int triangle, double distance) const
 {
   const Ball& ball = this->Balls[triangle];
   constexpr double withRounding = 1.0 + 1e-6; // more than rounding can take away
-  const double reach = (ball.Radius + std::sqrt(squared)) * withRounding;
+  const double reach = (ball.Radius + distance) * withRounding;
   return (point - ball.Center).squaredNorm() > reach * reach;
 }
 

@@ -26,8 +26,8 @@ private:
     double Radius;
   };
 
-  /// Certainly no nearer than `squared`, as most are not.
-  bool IsBeyond(const Eigen::Vector3d& point, int triangle, double squared) const;
+  /// Certainly no nearer than `distance`, as most are not.
+  bool IsBeyond(const Eigen::Vector3d& point, int triangle, double distance) const;
   double SquaredDistance(const Eigen::Vector3d& point, int triangle) const;
 
   const TriangleMesh& Mesh;

@@ -2,14 +2,13 @@
 #include "Simplification.h"
 
 #include "EdgeOperations.h"
-#include "NearestDownhill.h"
 #include "Quadric.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace marrow
 {
@@ -58,6 +57,14 @@ struct Candidate
   bool Backward;
 };
 
+/// What the collapse of an edge costs, the cheaper way, and the pass before which that was found.
+struct EdgeCost
+{
+  double Cost;
+  int Pass = -1;
+  bool Backward;
+};
+
 class Simplifying
 {
 public:
@@ -66,7 +73,10 @@ public:
     , Quadrics(input.Points.size())
     , RingArea(input.VertexAreas())
     , Locked(input.Points.size(), 0)
+    , Costs(3 * input.Triangles.size())
+    , Present(input.Triangles.size())
   {
+    std::iota(this->Present.begin(), this->Present.end(), 0);
     const TriangleMesh& mesh = this->Collapsing.Mesh();
     for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
     {
@@ -101,12 +111,18 @@ public:
   int Pass(int goal, double share)
   {
     const TriangleMesh& mesh = this->Collapsing.Mesh();
+    this->Present.erase(std::remove_if(this->Present.begin(), this->Present.end(),
+                          [&](int t) { return this->Collapsing.IsRemoved(t); }),
+      this->Present.end());
     this->Candidates.clear();
-    for (int h = 0; h < 3 * mesh.NumberOfTriangles(); ++h)
+    for (const int t : this->Present)
     {
-      if (!this->Collapsing.IsRemoved(h / 3) && mesh.Opposite[h] < h)
+      for (int h = 3 * t; h < 3 * t + 3; ++h)
       {
-        this->AddCandidate(h);
+        if (mesh.Opposite[h] < h)
+        {
+          this->AddCandidate(h);
+        }
       }
     }
     const auto isBefore = [&](const Candidate& a, const Candidate& b)
@@ -159,12 +175,18 @@ private:
     const TriangleMesh& mesh = this->Collapsing.Mesh();
     const int from = mesh.From(h);
     const int to = mesh.To(h);
-    const double length = (mesh.Points[to] - mesh.Points[from]).squaredNorm();
-    Quadric sum = this->Quadrics[from];
-    sum += this->Quadrics[to];
-    const double forward = sum.At(mesh.Points[to]) + EvenWeight * length * this->RingArea[from];
-    const double backward = sum.At(mesh.Points[from]) + EvenWeight * length * this->RingArea[to];
-    this->Candidates.push_back({ std::min(forward, backward), h, backward < forward });
+    EdgeCost& known = this->Costs[h];
+    // A cost holds until one of the edge's ends has drawn another vertex into it.
+    if (std::max(this->Locked[from], this->Locked[to]) > known.Pass)
+    {
+      const double length = (mesh.Points[to] - mesh.Points[from]).squaredNorm();
+      Quadric sum = this->Quadrics[from];
+      sum += this->Quadrics[to];
+      const double forward = sum.At(mesh.Points[to]) + EvenWeight * length * this->RingArea[from];
+      const double backward = sum.At(mesh.Points[from]) + EvenWeight * length * this->RingArea[to];
+      known = { std::min(forward, backward), this->PassNumber, backward < forward };
+    }
+    this->Candidates.push_back({ known.Cost, h, known.Backward });
   }
 
   bool TryCollapse(const Candidate& candidate)
@@ -218,7 +240,9 @@ private:
 
   std::vector<Quadric> Quadrics;
   std::vector<double> RingArea;
-  std::vector<int> Locked; ///< per vertex: the last pass that drew another into it
+  std::vector<int> Locked;     ///< per vertex: the last pass that drew another into it
+  std::vector<EdgeCost> Costs; ///< per half-edge
+  std::vector<int> Present;    ///< the triangles that are left, at the start of a pass
   std::vector<Candidate> Candidates;
   int PassNumber = 0;
 };
@@ -252,9 +276,9 @@ bool SimplifyMesh(
   const TriangleMesh& collapsed = collapsing.Mesh();
   const int numberOfOld = mesh.NumberOfVertices();
   std::vector<int> newVertex(numberOfOld, -1);
-  std::vector<int> newTriangle(mesh.Triangles.size(), -1);
   output.Mesh = {};
   output.OldVertex.clear();
+  output.TriangleOfOld.assign(mesh.Triangles.size(), -1);
   for (int v = 0; v < numberOfOld; ++v)
   {
     if (collapsed.Outgoing[v] >= 0)
@@ -268,7 +292,7 @@ bool SimplifyMesh(
   {
     if (!collapsing.IsRemoved(t))
     {
-      newTriangle[t] = output.Mesh.NumberOfTriangles();
+      output.TriangleOfOld[t] = output.Mesh.NumberOfTriangles();
       const auto& c = collapsed.Triangles[t];
       output.Mesh.Triangles.push_back({ newVertex[c[0]], newVertex[c[1]], newVertex[c[2]] });
     }
@@ -281,30 +305,6 @@ bool SimplifyMesh(
     if (mesh.Outgoing[v] >= 0)
     {
       output.VertexOfOld[v] = newVertex[collapsing.Survivor(v)];
-    }
-  }
-  const NearestDownhill nearestDownhill(output.Mesh);
-  output.TriangleOfOld.resize(mesh.Triangles.size());
-  for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    const int corner = output.VertexOfOld[mesh.Triangles[t][0]];
-    const int from = newTriangle[t] >= 0 ? newTriangle[t] : output.Mesh.Outgoing[corner] / 3;
-    output.TriangleOfOld[t] = nearestDownhill.Find(mesh.Centroid(t), from);
-  }
-  // The survivor may have come from further away than a corner of the nearest triangle.
-  for (int v = 0; v < numberOfOld; ++v)
-  {
-    if (mesh.Outgoing[v] >= 0 && newVertex[v] < 0)
-    {
-      for (int corner : output.Mesh.Triangles[output.TriangleOfOld[mesh.Outgoing[v] / 3]])
-      {
-        int& nearest = output.VertexOfOld[v];
-        if ((output.Mesh.Points[corner] - mesh.Points[v]).squaredNorm() <
-          (output.Mesh.Points[nearest] - mesh.Points[v]).squaredNorm())
-        {
-          nearest = corner;
-        }
-      }
     }
   }
   return Report(progress, 1.0);

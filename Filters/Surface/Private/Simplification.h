@@ -13,9 +13,10 @@ namespace marrow
 struct SimplifiedMesh
 {
   TriangleMesh Mesh;
-  std::vector<int> OldVertex;     ///< per vertex: the one it was before
-  std::vector<int> VertexOfOld;   ///< per old vertex: the same, or a near one
-  std::vector<int> TriangleOfOld; ///< per old triangle: the nearest, found along the surface
+  std::vector<int> OldVertex; ///< per vertex: the one it was before
+  std::vector<int>
+    VertexOfOld; ///< per old vertex: itself, or the one that it was drawn into; -1 if unused
+  std::vector<int> TriangleOfOld; ///< per old triangle: itself, or -1 if it is gone
 };
 
 /// Collapses edges until at most `maximumTriangles` are left, those first that change the surface least

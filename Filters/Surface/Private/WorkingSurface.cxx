@@ -5,6 +5,7 @@
 #include "BodyAssembly.h"
 #include "InputCheck.h"
 #include "MeshCheck.h"
+#include "NearestTriangles.h"
 #include "Simplification.h"
 #include "SurfaceMending.h"
 #include "TriangleTree.h"
@@ -198,6 +199,7 @@ std::string ComputeWorkingSurface(const PolygonMesh& input,
     }
     if (simplified.Mesh.NumberOfTriangles() < output.Mesh.NumberOfTriangles())
     {
+      FindNearest(output.Mesh, simplified);
       output.Report.SimplifiedTriangles = output.Mesh.NumberOfTriangles();
       output.TriangleOfFullTriangle =
         Composed(output.TriangleOfFullTriangle, simplified.TriangleOfOld);
