@@ -10,6 +10,7 @@
 #include "LabelSpread.h"
 #include "MeshBridge.h"
 #include "PairSelection.h"
+#include "RejectedAnswers.h"
 #include "SegmentationTransfer.h"
 #include "SideTransfer.h"
 
@@ -22,6 +23,7 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -58,6 +60,7 @@ struct Leaf
   double Against = 0.0;
   double MeanConfidence = 0.0;
   bool IsWholeAlignment = false;
+  std::vector<marrow::RejectedAnswer> Rejected; ///< Labels per cell
   std::string Note;
 };
 
@@ -157,9 +160,11 @@ void SetMeanConfidence(Leaf& leaf)
   leaf.MeanConfidence = total > 0.0 ? sum / total : 0.0;
 }
 
-/// Brings what the bodies got to the cells of their leaves.
+/// Brings what the bodies got to the cells of their leaves; `rejected` are the answers that the largest bodies
+/// did not take.
 void Collect(const std::vector<ShapeOfLeaf>& shapes,
-  const std::vector<marrow::SpreadLabels>& spread, std::vector<Leaf>& leaves)
+  const std::vector<marrow::SpreadLabels>& spread,
+  const std::vector<std::vector<marrow::RejectedAnswer>>& rejected, std::vector<Leaf>& leaves)
 {
   struct OfWorking
   {
@@ -190,6 +195,7 @@ void Collect(const std::vector<ShapeOfLeaf>& shapes,
     {
       leaf.Source = shapes[spread[s].Source].Leaf;
       leaf.Against = spread[s].Against;
+      leaf.Rejected = rejected[s];
     }
   }
   for (std::size_t l = 0; l < leaves.size(); ++l)
@@ -210,7 +216,43 @@ void Collect(const std::vector<ShapeOfLeaf>& shapes,
     leaf.Labels = std::move(ofCells.Labels);
     leaf.Confidence = std::move(ofCells.Confidence);
     SetMeanConfidence(leaf);
+    for (marrow::RejectedAnswer& answer : leaf.Rejected)
+    {
+      const marrow::PreparedSurface& surface = leaf.Collected->Side.Surface;
+      std::vector<int> labels = ofLeaves[l].Labels;
+      for (std::size_t t = 0; t < answer.Labels.size(); ++t)
+      {
+        labels[surface.Bodies[0].OriginalTriangle[t]] = answer.Labels[t];
+      }
+      answer.Labels = marrow::ToCells(surface, labels, ofLeaves[l].Confidence).Labels;
+    }
   }
+}
+
+/// The answers that were not taken, a component of the arrays for each.
+void WriteRejected(const std::vector<marrow::RejectedAnswer>& rejected, vtkPolyData* output)
+{
+  const int size = static_cast<int>(rejected.size());
+  vtkNew<vtkIntArray> labels;
+  labels->SetName(marrow::names::RejectedSegmentId);
+  labels->SetNumberOfComponents(size);
+  labels->SetNumberOfTuples(output->GetNumberOfCells());
+  vtkNew<vtkDoubleArray> against;
+  against->SetName(marrow::names::RejectedAgainst);
+  vtkNew<vtkDoubleArray> difference;
+  difference->SetName(marrow::names::RejectedDifference);
+  for (int i = 0; i < size; ++i)
+  {
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      labels->SetTypedComponent(cell, i, rejected[i].Labels[cell]);
+    }
+    against->InsertNextValue(rejected[i].Against);
+    difference->InsertNextValue(rejected[i].Difference);
+  }
+  output->GetCellData()->AddArray(labels);
+  output->GetFieldData()->AddArray(against);
+  output->GetFieldData()->AddArray(difference);
 }
 
 vtkSmartPointer<vtkPolyData> LabelledMesh(const Leaf& leaf, vtkAbstractArray* segmentNames)
@@ -226,6 +268,10 @@ vtkSmartPointer<vtkPolyData> LabelledMesh(const Leaf& leaf, vtkAbstractArray* se
   {
     output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
     output->GetFieldData()->AddArray(segmentNames);
+  }
+  if (!leaf.Rejected.empty())
+  {
+    WriteRejected(leaf.Rejected, output);
   }
   marrow::WriteNote(leaf.Collected->Side.Surface, output);
   return output;
@@ -456,7 +502,13 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 1;
   }
-  Collect(shapes, spread, leaves);
+  std::vector<std::vector<marrow::RejectedAnswer>> rejected(shapes.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    rejected[s] = marrow::FindRejectedAnswers(graph, static_cast<int>(s), spread[s].Source,
+      spread[s].Labels, static_cast<std::size_t>(this->NumberOfRejectedAnswers));
+  }
+  Collect(shapes, spread, rejected, leaves);
 
   vtkAbstractArray* segmentNames = nullptr;
   for (const Leaf& leaf : leaves)
@@ -496,4 +548,5 @@ void vtkCollectionTransfer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CacheFolder: " << (this->CacheFolder ? this->CacheFolder : "(none)") << "\n";
+  os << indent << "NumberOfRejectedAnswers: " << this->NumberOfRejectedAnswers << "\n";
 }

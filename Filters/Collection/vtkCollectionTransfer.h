@@ -37,6 +37,11 @@
  *   - SegmentConfidence (double in [0,1]): the share that all tellers together give the face's segment,
  *     smaller near boundaries, times how far the best way from a labelled mesh is to be trusted; 1 on
  *     a labelled mesh;
+ *   - RejectedSegmentId (int, a component for each), if NumberOfRejectedAnswers is not 0 and there are such answers,
+ *     on a mesh that was not labelled: the segments by the answers that would have come next, as coarse as
+ *     they were tried out, those first that come nearest to being taken. The field arrays RejectedAgainst
+ *     (double, a value for each) is what speaks against them, as Against below, and RejectedDifference (double)
+ *     the share of the area that they would label otherwise;
  *   and the field array SegmentName of the first labelled mesh that has it. What cannot be used (see the
  *   warnings) goes through as it is;
  * - 1, a vtkTable with a row for each leaf in their order: Block (string, its name; "block 3" without one),
@@ -80,6 +85,16 @@ public:
   vtkGetFilePathMacro(CacheFolder);
   ///@}
 
+  ///@{
+  /**
+   * How many of the answers that were not taken are given out, to be looked at: of those of the labelled
+   * mesh that counts most, each of which would label 5 % of the area or more otherwise. Default 0, range
+   * [0, 9].
+   */
+  vtkSetClampMacro(NumberOfRejectedAnswers, int, 0, 9);
+  vtkGetMacro(NumberOfRejectedAnswers, int);
+  ///@}
+
 protected:
   vtkCollectionTransfer();
   ~vtkCollectionTransfer() override;
@@ -96,6 +111,7 @@ private:
   void operator=(const vtkCollectionTransfer&) = delete;
 
   char* CacheFolder = nullptr;
+  int NumberOfRejectedAnswers = 0;
 
   struct Memory;
   std::unique_ptr<Memory> Remembered;

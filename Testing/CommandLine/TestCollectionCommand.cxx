@@ -210,4 +210,8 @@ TEST_F(CollectionCommand, TheReportHoldsAPictureOfEachTarget)
   }
   EXPECT_EQ(pictures, 2u);
   EXPECT_EQ(page.find("http"), std::string::npos); // nothing from elsewhere
+  // What is written is the same without it.
+  const std::string mesh = this->Content("out/biped2.vtp");
+  EXPECT_EQ(this->Run("in -o out").ExitCode, 0);
+  EXPECT_EQ(this->Content("out/biped2.vtp"), mesh);
 }

@@ -8,19 +8,36 @@
 #include "Interrupt.h"
 #include "MeshFiles.h"
 
+#include <vtkCellData.h>
 #include <vtkCollectionTransfer.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkMarrowSideBySideScene.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
 #include <filesystem>
 #include <map>
 
 namespace fs = std::filesystem;
+
+namespace
+{
+/// The rejected answers are the report's alone: what is written does not depend on whether there is one.
+vtkSmartPointer<vtkPolyData> WithoutRejected(vtkPolyData* mesh)
+{
+  auto written = vtkSmartPointer<vtkPolyData>::New();
+  written->ShallowCopy(mesh);
+  written->GetCellData()->RemoveArray("RejectedSegmentId");
+  written->GetFieldData()->RemoveArray("RejectedAgainst");
+  written->GetFieldData()->RemoveArray("RejectedDifference");
+  return written;
+}
+}
 
 CLI::App* CollectionCommand::Declare(CLI::App& marrow)
 {
@@ -95,6 +112,7 @@ std::vector<vtkPolyData*> CollectionCommand::Label(vtkCollectionTransfer* transf
   const fs::path pairs = fs::path(this->Output) / ".marrow";
   files::MakeFolder(pairs.string());
   transfer->SetCacheFolder(pairs.c_str());
+  transfer->SetNumberOfRejectedAnswers(this->Report.empty() ? 0 : MostRejectedAnswers);
   transfer->SetInputDataObject(blocks);
   {
     const Interrupt interrupt(transfer);
@@ -132,7 +150,7 @@ void CollectionCommand::Run(Console& console)
   {
     if (rows[i].Role == "target")
     {
-      files::Write(meshes[i],
+      files::Write(WithoutRejected(meshes[i]),
         (fs::path(this->Output) / (rows[i].Name + "." + this->Format)).string(), console);
     }
     if (meshes[i])
