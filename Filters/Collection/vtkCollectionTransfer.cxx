@@ -12,6 +12,7 @@
 #include "PairSelection.h"
 #include "RejectedAnswers.h"
 #include "SegmentationTransfer.h"
+#include "SharedPairs.h"
 #include "SideTransfer.h"
 
 #include <vtkCellData.h>
@@ -24,6 +25,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -46,6 +48,9 @@ vtkStandardNewMacro(vtkCollectionTransfer);
 
 namespace
 {
+/// Of the progress, where several processes share the pairs.
+constexpr double OfSharedPairs = 0.6;
+
 /// A leaf of the tree, and what comes of it.
 struct Leaf
 {
@@ -139,6 +144,46 @@ std::vector<std::pair<int, int>> SelectPairsOf(const std::vector<ShapeOfLeaf>& s
     isSource.push_back(!shape.Labels.empty());
   }
   return marrow::SelectPairs(sketches, leafOfShape, isSource);
+}
+
+std::vector<marrow::CollectionMember> MembersOf(
+  const std::vector<Leaf>& leaves, const std::vector<int>& leafOfMesh)
+{
+  std::vector<marrow::CollectionMember> members;
+  for (const int l : leafOfMesh)
+  {
+    members.push_back({ leaves[l].Mesh, leaves[l].IsSource });
+  }
+  return members;
+}
+
+/// The maps by which shapes hear their tellers and that are not carried out yet. `leafOfMesh` ascends.
+std::vector<marrow::WantedMaps> MapsWantedBy(const marrow::CollectionGraph& graph,
+  const std::vector<ShapeOfLeaf>& shapes, const std::vector<int>& leafOfMesh)
+{
+  const auto endOf = [&](int shape)
+  {
+    const auto member = std::lower_bound(leafOfMesh.begin(), leafOfMesh.end(), shapes[shape].Leaf);
+    return std::make_pair(static_cast<int>(member - leafOfMesh.begin()), shapes[shape].Body);
+  };
+  std::vector<marrow::WantedMaps> ofLinks(graph.GetLinks().size());
+  for (int s = 0; s < graph.NumberOfShapes(); ++s)
+  {
+    for (const marrow::Teller& teller : graph.GetTellers(s))
+    {
+      const marrow::CollectionLink& link = graph.GetLinks()[teller.Link];
+      if (!link.Pair->IsCarried(teller.Side, link.Answer))
+      {
+        marrow::WantedMaps& wanted = ofLinks[teller.Link];
+        wanted.Ends = { endOf(link.Shapes[0]), endOf(link.Shapes[1]) };
+        wanted.OfAnswers.emplace_back(teller.Side, link.Answer);
+      }
+    }
+  }
+  ofLinks.erase(std::remove_if(ofLinks.begin(), ofLinks.end(),
+                  [](const marrow::WantedMaps& wanted) { return wanted.OfAnswers.empty(); }),
+    ofLinks.end());
+  return ofLinks;
 }
 
 void SetMeanConfidence(Leaf& leaf)
@@ -413,8 +458,34 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     meshes.push_back(leaf.Mesh);
     leafOfMesh.push_back(static_cast<int>(l));
   }
+  const std::string folder = this->CacheFolder ? this->CacheFolder : "";
+  marrow::SharedPairs shared(this->Controller, MembersOf(leaves, leafOfMesh), folder);
+  if (shared.IsShared())
+  {
+    if (folder.empty())
+    {
+      vtkErrorMacro(
+        << "Several processes share the work, but there is no folder by which they tell each "
+           "other: set CacheFolder.");
+      return 0;
+    }
+    if (!shared.MatchPairs(marrow::ProgressOf(this, 0.0, OfSharedPairs)))
+    {
+      return 1;
+    }
+    if (!shared.IsFirst())
+    {
+      shared.CarryMaps({}, marrow::ProgressOf(this, OfSharedPairs, 1.0));
+      return 1;
+    }
+  }
+  const auto progressOf = [&](double from, double to)
+  {
+    const double start = shared.IsShared() ? OfSharedPairs : 0.0;
+    return marrow::ProgressOf(this, start + (1.0 - start) * from, start + (1.0 - start) * to);
+  };
   std::vector<std::shared_ptr<const marrow::CollectedMesh>> collected;
-  if (!this->Remembered->Meshes.Collect(meshes, collected, marrow::ProgressOf(this, 0.0, 0.2)))
+  if (!this->Remembered->Meshes.Collect(meshes, collected, progressOf(0.0, 0.2)))
   {
     return 1;
   }
@@ -453,7 +524,6 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const std::vector<ShapeOfLeaf> shapes = ShapesOf(leaves);
-  const std::string folder = this->CacheFolder ? this->CacheFolder : "";
   std::vector<marrow::CollectionLink> links;
   std::vector<marrow::CollectedPairs::Ends> ends;
   for (const auto& [first, second] : SelectPairsOf(shapes))
@@ -464,7 +534,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     ends.emplace_back(shapes[first].Shape, shapes[second].Shape);
   }
   std::vector<marrow::ShapePair*> pairs;
-  if (!this->Remembered->Pairs.Collect(ends, folder, pairs, marrow::ProgressOf(this, 0.2, 0.6)))
+  if (!this->Remembered->Pairs.Collect(ends, folder, pairs, progressOf(0.2, 0.6)))
   {
     return 1;
   }
@@ -483,11 +553,20 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
   marrow::CollectionGraph graph(
     std::move(ofGraph), meshOfShape, std::move(labelsOfGraph), std::move(links));
-  if (!marrow::VoteOnAnswers(graph, marrow::ProgressOf(this, 0.6, 0.65)))
+  if (!marrow::VoteOnAnswers(graph, progressOf(0.6, 0.65)))
   {
     return 1;
   }
-  const bool isCarried = marrow::CarryMaps(graph, marrow::ProgressOf(this, 0.65, 0.95));
+  marrow::ChooseTellers(graph);
+  if (shared.IsShared())
+  {
+    if (!shared.CarryMaps(MapsWantedBy(graph, shapes, leafOfMesh), {}))
+    {
+      return 1;
+    }
+    this->Remembered->Pairs.ReadAgain(folder);
+  }
+  const bool isCarried = marrow::CarryMaps(graph, progressOf(0.65, 0.95));
   if (!folder.empty())
   {
     this->Remembered->Pairs.Save(folder);
@@ -497,7 +576,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<marrow::SpreadLabels> spread =
-    marrow::SpreadOverGraph(graph, marrow::ProgressOf(this, 0.95, 1.0));
+    marrow::SpreadOverGraph(graph, progressOf(0.95, 1.0));
   if (marrow::IsAborted(this))
   {
     return 1;
@@ -544,9 +623,24 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
+void vtkCollectionTransfer::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkCollectionTransfer::GetController() const
+{
+  return this->Controller;
+}
+
 void vtkCollectionTransfer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CacheFolder: " << (this->CacheFolder ? this->CacheFolder : "(none)") << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "NumberOfRejectedAnswers: " << this->NumberOfRejectedAnswers << "\n";
 }

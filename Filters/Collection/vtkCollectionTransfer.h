@@ -49,7 +49,8 @@
  *   for it), Confidence (double, mean of SegmentConfidence over the area), Against (double, what speaks
  *   against the answer taken of that source, 0 to 5, good ones below 1), Note (string, what was mended and what went wrong).
  *
- * Errors: no leaf that can be used is labelled; more than 500 different segments.
+ * Errors: no leaf that can be used is labelled; more than 500 different segments; a Controller of several
+ * processes without a CacheFolder.
  * Warnings, each of which names the leaf: one that is no vtkPolyData, has no face, points that are not
  * finite, or a segment array that is not one integer a cell; meshes that are aligned as wholes with all
  * labelled ones.
@@ -64,8 +65,11 @@
 
 #include "MarrowCollectionModule.h" // for export macro
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkSmartPointer.h" // for the controller
 
 #include <memory> // for std::unique_ptr
+
+class vtkMultiProcessController;
 
 class MARROWCOLLECTION_EXPORT vtkCollectionTransfer : public vtkDataObjectAlgorithm
 {
@@ -83,6 +87,18 @@ public:
    */
   vtkSetFilePathMacro(CacheFolder);
   vtkGetFilePathMacro(CacheFolder);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that share the work, if there are several; none by default. All have the same input and the
+   * same CacheFolder, which has to be set, and by whose files they tell each other of pairs: on several
+   * machines a folder on a file system that these share. The output is with the first process, on the others
+   * the tree is empty. It is the same as that of one process. The first process holds all meshes, the others
+   * a few dozen at a time.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
   ///@}
 
   ///@{
@@ -112,6 +128,7 @@ private:
 
   char* CacheFolder = nullptr;
   int NumberOfRejectedAnswers = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Memory;
   std::unique_ptr<Memory> Remembered;

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SharedPairs.h"
+
+#include "CollectedMeshes.h"
+#include "CollectedPairs.h"
+#include "DenseMap.h"
+#include "PairSelection.h"
+#include "ParallelFor.h"
+
+#include <vtkMultiProcessController.h>
+#include <vtkMultiProcessStream.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+namespace marrow
+{
+namespace
+{
+/// So many are held at a time: enough for all threads, and for meshes that several pairs of a batch share.
+constexpr std::size_t BatchSize = 64;
+
+/// What all processes know of every shape.
+struct Summary
+{
+  std::string Key;
+  int Member = 0;
+  int Body = 0;
+  std::vector<double> Sketch;
+};
+
+void Put(const Summary& summary, vtkMultiProcessStream& stream)
+{
+  stream << summary.Key << summary.Member << summary.Body
+         << static_cast<int>(summary.Sketch.size());
+  for (const double value : summary.Sketch)
+  {
+    stream << value;
+  }
+}
+
+Summary Take(vtkMultiProcessStream& stream)
+{
+  Summary summary;
+  int size = 0;
+  stream >> summary.Key >> summary.Member >> summary.Body >> size;
+  summary.Sketch.resize(static_cast<std::size_t>(size));
+  for (double& value : summary.Sketch)
+  {
+    stream >> value;
+  }
+  return summary;
+}
+
+/// The shapes of some members and the pairs of them that a process works on now.
+class Batch
+{
+public:
+  Batch(const std::vector<CollectionMember>& members, const std::string& folder)
+    : Members(members)
+    , Folder(folder)
+  {
+  }
+
+  /// Of each pair the two ends, each a member and its body. What the last batch had as well is kept.
+  bool Collect(const std::vector<std::array<std::pair<int, int>, 2>>& pairs,
+    std::vector<ShapePair*>& collected, const Progress& progress)
+  {
+    std::map<int, std::shared_ptr<const CollectedMesh>> meshes;
+    for (const auto& ends : pairs)
+    {
+      meshes[ends[0].first] = nullptr;
+      meshes[ends[1].first] = nullptr;
+    }
+    std::vector<vtkPolyData*> toPrepare;
+    for (const auto& [member, none] : meshes)
+    {
+      toPrepare.push_back(this->Members[member].Mesh);
+    }
+    std::vector<std::shared_ptr<const CollectedMesh>> prepared;
+    constexpr double afterMeshes = 0.2; // of the progress
+    if (!this->Meshes.Collect(toPrepare, prepared, SubProgress(progress, 0.0, afterMeshes)))
+    {
+      return false;
+    }
+    std::size_t next = 0;
+    for (auto& [member, mesh] : meshes)
+    {
+      mesh = prepared[next++];
+    }
+    this->Shapes.clear();
+    for (const auto& ends : pairs)
+    {
+      const auto shapeOf = [&](const std::pair<int, int>& end) -> ShapePair::Shape
+      {
+        const auto& mesh = meshes.at(end.first);
+        return { mesh, mesh->Shapes[end.second].get() };
+      };
+      this->Shapes.emplace_back(shapeOf(ends[0]), shapeOf(ends[1]));
+    }
+    return this->Pairs.Collect(
+      this->Shapes, this->Folder, collected, SubProgress(progress, afterMeshes, 1.0));
+  }
+
+  const CollectionShape& ShapeOf(std::size_t pair, int side) const
+  {
+    return side == 0 ? *this->Shapes[pair].first : *this->Shapes[pair].second;
+  }
+  void Save() { this->Pairs.Save(this->Folder); }
+
+private:
+  const std::vector<CollectionMember>& Members;
+  std::string Folder;
+  CollectedMeshes Meshes;
+  CollectedPairs Pairs;
+  std::vector<CollectedPairs::Ends> Shapes;
+};
+
+/// Of the members that are this process's.
+bool Summarize(const std::vector<CollectionMember>& members, std::size_t first, std::size_t last,
+  vtkMultiProcessStream& stream, const Progress& progress)
+{
+  for (std::size_t start = first; start < last; start += BatchSize)
+  {
+    const std::size_t end = std::min(start + BatchSize, last);
+    std::vector<vtkPolyData*> meshes;
+    for (std::size_t m = start; m < end; ++m)
+    {
+      meshes.push_back(members[m].Mesh);
+    }
+    std::vector<std::shared_ptr<const CollectedMesh>> collected;
+    const double size = static_cast<double>(last - first);
+    if (!CollectedMeshes().Collect(
+          meshes, collected, SubProgress(progress, (start - first) / size, (end - first) / size)))
+    {
+      return false;
+    }
+    for (std::size_t m = start; m < end; ++m)
+    {
+      for (std::size_t b = 0; b < collected[m - start]->Shapes.size(); ++b)
+      {
+        const CollectionShape& shape = *collected[m - start]->Shapes[b];
+        Put({ shape.Key, static_cast<int>(m), static_cast<int>(b), SketchOf(shape.Fine.Skeleton) },
+          stream);
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<std::pair<int, int>> SelectPairsOf(
+  const std::vector<Summary>& summaries, const std::vector<CollectionMember>& members)
+{
+  std::vector<std::vector<double>> sketches;
+  std::vector<int> memberOfShape;
+  std::vector<bool> isSource;
+  for (const Summary& summary : summaries)
+  {
+    sketches.push_back(summary.Sketch);
+    memberOfShape.push_back(summary.Member);
+    isSource.push_back(members[summary.Member].IsSource);
+  }
+  return SelectPairs(sketches, memberOfShape, isSource);
+}
+
+void CarryBatch(
+  const std::vector<WantedMaps>& wanted, const std::vector<ShapePair*>& pairs, const Batch& batch)
+{
+  // One smoother serves all maps of a shape.
+  std::map<const CollectionShape*, std::shared_ptr<const MeshSmoother>> smoothers;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    for (const auto& [side, answer] : wanted[i].OfAnswers)
+    {
+      smoothers[&batch.ShapeOf(i, side)] = nullptr;
+    }
+  }
+  std::vector<const CollectionShape*> smoothed;
+  for (const auto& [shape, none] : smoothers)
+  {
+    smoothed.push_back(shape);
+  }
+  ParallelFor(0, static_cast<int>(smoothed.size()),
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        smoothers.at(smoothed[i]) = DenseMapper::SmootherOf(smoothed[i]->Fine);
+      }
+    });
+  ParallelFor(0, static_cast<int>(wanted.size()),
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        for (const auto& [side, answer] : wanted[i].OfAnswers)
+        {
+          pairs[i]->Carry(side, answer, smoothers.at(&batch.ShapeOf(i, side)), {});
+        }
+      }
+    });
+}
+}
+
+SharedPairs::SharedPairs(
+  vtkMultiProcessController* controller, std::vector<CollectionMember> members, std::string folder)
+  : Controller(controller)
+  , Members(std::move(members))
+  , Folder(std::move(folder))
+{
+  if (controller)
+  {
+    this->Rank = controller->GetLocalProcessId();
+    this->Size = controller->GetNumberOfProcesses();
+  }
+}
+
+SharedPairs::~SharedPairs()
+{
+  if (this->IsAwaited)
+  {
+    this->CarryMaps({}, {});
+  }
+}
+
+std::pair<std::size_t, std::size_t> SharedPairs::ShareOf(std::size_t size) const
+{
+  return { size * this->Rank / this->Size, size * (this->Rank + 1) / this->Size };
+}
+
+bool SharedPairs::IsDoneByAll(bool isDone) const
+{
+  const int own = isDone ? 1 : 0;
+  int all = 0;
+  this->Controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
+  return all == 1;
+}
+
+bool SharedPairs::MatchPairs(const Progress& progress)
+{
+  constexpr double afterSummaries = 0.1; // of the progress
+  vtkMultiProcessStream own;
+  const auto [firstMember, lastMember] = this->ShareOf(this->Members.size());
+  bool isDone = Summarize(
+    this->Members, firstMember, lastMember, own, SubProgress(progress, 0.0, afterSummaries));
+  std::vector<vtkMultiProcessStream> all;
+  this->Controller->AllGather(own, all);
+  std::vector<Summary> summaries;
+  for (vtkMultiProcessStream& stream : all)
+  {
+    while (!stream.Empty())
+    {
+      summaries.push_back(Take(stream));
+    }
+  }
+  // In the order of vtkCollectionTransfer's shapes.
+  std::sort(summaries.begin(), summaries.end(),
+    [](const Summary& a, const Summary& b)
+    { return std::tie(a.Key, a.Member, a.Body) < std::tie(b.Key, b.Member, b.Body); });
+  isDone = this->IsDoneByAll(isDone);
+  const std::vector<std::pair<int, int>> selected =
+    isDone ? SelectPairsOf(summaries, this->Members) : std::vector<std::pair<int, int>>();
+  const auto [first, last] = this->ShareOf(selected.size());
+  Batch batch(this->Members, this->Folder);
+  for (std::size_t start = first; isDone && start < last; start += BatchSize)
+  {
+    const std::size_t end = std::min(start + BatchSize, last);
+    std::vector<std::array<std::pair<int, int>, 2>> pairs;
+    for (std::size_t p = start; p < end; ++p)
+    {
+      const Summary& one = summaries[selected[p].first];
+      const Summary& other = summaries[selected[p].second];
+      pairs.push_back({ { { one.Member, one.Body }, { other.Member, other.Body } } });
+    }
+    std::vector<ShapePair*> collected;
+    const auto done = [&, begin = first, size = last - first](std::size_t at)
+    { return afterSummaries + (1.0 - afterSummaries) * static_cast<double>(at - begin) / size; };
+    isDone = batch.Collect(pairs, collected, SubProgress(progress, done(start), done(end)));
+  }
+  this->IsAwaited = this->IsFirst();
+  return this->IsDoneByAll(isDone);
+}
+
+bool SharedPairs::CarryMaps(std::vector<WantedMaps> wanted, const Progress& progress)
+{
+  this->IsAwaited = false;
+  vtkMultiProcessStream stream;
+  stream << static_cast<int>(wanted.size());
+  for (const WantedMaps& of : wanted)
+  {
+    stream << of.Ends[0].first << of.Ends[0].second << of.Ends[1].first << of.Ends[1].second
+           << static_cast<int>(of.OfAnswers.size());
+    for (const auto& [side, answer] : of.OfAnswers)
+    {
+      stream << side << static_cast<int>(answer);
+    }
+  }
+  this->Controller->Broadcast(stream, 0);
+  int size = 0;
+  stream >> size;
+  wanted.assign(static_cast<std::size_t>(size), {});
+  for (WantedMaps& of : wanted)
+  {
+    int answers = 0;
+    stream >> of.Ends[0].first >> of.Ends[0].second >> of.Ends[1].first >> of.Ends[1].second >>
+      answers;
+    for (int i = 0; i < answers; ++i)
+    {
+      int side = 0;
+      int answer = 0;
+      stream >> side >> answer;
+      of.OfAnswers.emplace_back(side, static_cast<std::size_t>(answer));
+    }
+  }
+  const auto [first, last] = this->ShareOf(wanted.size());
+  Batch batch(this->Members, this->Folder);
+  bool isDone = true;
+  for (std::size_t start = first; isDone && start < last; start += BatchSize)
+  {
+    const std::size_t end = std::min(start + BatchSize, last);
+    const std::vector<WantedMaps> now(wanted.begin() + static_cast<std::ptrdiff_t>(start),
+      wanted.begin() + static_cast<std::ptrdiff_t>(end));
+    std::vector<std::array<std::pair<int, int>, 2>> pairs;
+    for (const WantedMaps& of : now)
+    {
+      pairs.push_back(of.Ends);
+    }
+    std::vector<ShapePair*> collected;
+    isDone = batch.Collect(pairs, collected, {}) &&
+      Report(progress, static_cast<double>(end - first) / static_cast<double>(last - first));
+    if (isDone)
+    {
+      CarryBatch(now, collected, batch);
+      batch.Save();
+    }
+  }
+  return this->IsDoneByAll(isDone);
+}
+}
