@@ -14,8 +14,8 @@ from plugin import expect, expect_equal
 MODULES = ("Collection", "Correspondence", "Creatures", "Evaluation", "IO", "Measures", "Rendering", "Skeleton", "Surface",
            "Transfer")
 MOST_AT_FIRST = 5
-# Not for a user of a panel: what a reader of a file or a window needs.
-HIDDEN = {"FileName"}
+# Not for a user of a panel: what a reader of a file, a window or a program of several processes needs.
+HIDDEN = {"Controller", "FileName"}
 HUGE = 1000000000
 
 
