@@ -94,6 +94,11 @@ int vtkTimeSeriesTransfer::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
+void vtkTimeSeriesTransfer::RemoveLabelledMeshes()
+{
+  this->RemoveAllInputConnections(1);
+}
+
 bool vtkTimeSeriesTransfer::IsCurrent()
 {
   vtkMTimeType now = this->GetMTime();

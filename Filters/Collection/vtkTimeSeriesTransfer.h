@@ -53,6 +53,12 @@ public:
   vtkGetFilePathMacro(CacheFolder);
   ///@}
 
+  /**
+   * Takes all labelled meshes (port 1) away again. The same as RemoveAllInputConnections(1), which ParaView cannot
+   * call.
+   */
+  void RemoveLabelledMeshes();
+
 protected:
   vtkTimeSeriesTransfer();
   ~vtkTimeSeriesTransfer() override;

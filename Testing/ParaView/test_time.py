@@ -27,13 +27,13 @@ def main():
         bare = simple.PassArrays(Input=source, CellDataArrays=[], PointDataArrays=[])
         simple.SaveData(files[-1], proxy=bare)
     series = simple.XMLPolyDataReader(FileName=files)
-    labelled = simple.TimeSeriesTransfer(MeshoverTime=series, LabelledMeshes=[biped(5)])
+    labelled = simple.TimeSeriesTransfer(MeshoverTime=series, LabelledMesh=biped(5))
     expect_equal(list(labelled.Segments), ["CELLS", "SegmentId"], "the array at first")
     times = list(series.TimestepValues)
     expect_equal(len(times), STEPS, "number of steps")
     # Not in their order, as a user who drags the slider.
     for step in (2, 0, 1):
-        simple.UpdatePipeline(time=times[step], proxy=labelled)
+        labelled.SMProxy.UpdatePipeline(times[step])  # simple's takes the time 0 for none
         mesh = plugin.servermanager.Fetch(labelled)
         expect_equal(mesh.GetNumberOfCells(), len(truths[step]), f"faces of step {step}")
         labels = mesh.GetCellData().GetArray("SegmentId")
