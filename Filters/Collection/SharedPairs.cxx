@@ -2,10 +2,8 @@
 #include "SharedPairs.h"
 
 #include "CollectedMeshes.h"
-#include "CollectedPairs.h"
-#include "DenseMap.h"
+#include "PairBatch.h"
 #include "PairSelection.h"
-#include "ParallelFor.h"
 
 #include <vtkMultiProcessController.h>
 #include <vtkMultiProcessStream.h>
@@ -55,70 +53,6 @@ Summary Take(vtkMultiProcessStream& stream)
   return summary;
 }
 
-/// The shapes of some members and the pairs of them that a process works on now.
-class Batch
-{
-public:
-  Batch(const std::vector<CollectionMember>& members, const std::string& folder)
-    : Members(members)
-    , Folder(folder)
-  {
-  }
-
-  /// Of each pair the two ends, each a member and its body. What the last batch had as well is kept.
-  bool Collect(const std::vector<std::array<std::pair<int, int>, 2>>& pairs,
-    std::vector<ShapePair*>& collected, const Progress& progress)
-  {
-    std::map<int, std::shared_ptr<const CollectedMesh>> meshes;
-    for (const auto& ends : pairs)
-    {
-      meshes[ends[0].first] = nullptr;
-      meshes[ends[1].first] = nullptr;
-    }
-    std::vector<vtkPolyData*> toPrepare;
-    for (const auto& [member, none] : meshes)
-    {
-      toPrepare.push_back(this->Members[member].Mesh);
-    }
-    std::vector<std::shared_ptr<const CollectedMesh>> prepared;
-    constexpr double afterMeshes = 0.2; // of the progress
-    if (!this->Meshes.Collect(toPrepare, prepared, SubProgress(progress, 0.0, afterMeshes)))
-    {
-      return false;
-    }
-    std::size_t next = 0;
-    for (auto& [member, mesh] : meshes)
-    {
-      mesh = prepared[next++];
-    }
-    this->Shapes.clear();
-    for (const auto& ends : pairs)
-    {
-      const auto shapeOf = [&](const std::pair<int, int>& end) -> ShapePair::Shape
-      {
-        const auto& mesh = meshes.at(end.first);
-        return { mesh, mesh->Shapes[end.second].get() };
-      };
-      this->Shapes.emplace_back(shapeOf(ends[0]), shapeOf(ends[1]));
-    }
-    return this->Pairs.Collect(
-      this->Shapes, this->Folder, collected, SubProgress(progress, afterMeshes, 1.0));
-  }
-
-  const CollectionShape& ShapeOf(std::size_t pair, int side) const
-  {
-    return side == 0 ? *this->Shapes[pair].first : *this->Shapes[pair].second;
-  }
-  void Save() { this->Pairs.Save(this->Folder); }
-
-private:
-  const std::vector<CollectionMember>& Members;
-  std::string Folder;
-  CollectedMeshes Meshes;
-  CollectedPairs Pairs;
-  std::vector<CollectedPairs::Ends> Shapes;
-};
-
 /// Of the members that are this process's.
 bool Summarize(const std::vector<CollectionMember>& members, std::size_t first, std::size_t last,
   vtkMultiProcessStream& stream, const Progress& progress)
@@ -164,44 +98,6 @@ std::vector<std::pair<int, int>> SelectPairsOf(
     isSource.push_back(members[summary.Member].IsSource);
   }
   return SelectPairs(sketches, memberOfShape, isSource);
-}
-
-void CarryBatch(
-  const std::vector<WantedMaps>& wanted, const std::vector<ShapePair*>& pairs, const Batch& batch)
-{
-  // One smoother serves all maps of a shape.
-  std::map<const CollectionShape*, std::shared_ptr<const MeshSmoother>> smoothers;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-  {
-    for (const auto& [side, answer] : wanted[i].OfAnswers)
-    {
-      smoothers[&batch.ShapeOf(i, side)] = nullptr;
-    }
-  }
-  std::vector<const CollectionShape*> smoothed;
-  for (const auto& [shape, none] : smoothers)
-  {
-    smoothed.push_back(shape);
-  }
-  ParallelFor(0, static_cast<int>(smoothed.size()),
-    [&](int first, int last)
-    {
-      for (int i = first; i < last; ++i)
-      {
-        smoothers.at(smoothed[i]) = DenseMapper::SmootherOf(smoothed[i]->Fine);
-      }
-    });
-  ParallelFor(0, static_cast<int>(wanted.size()),
-    [&](int first, int last)
-    {
-      for (int i = first; i < last; ++i)
-      {
-        for (const auto& [side, answer] : wanted[i].OfAnswers)
-        {
-          pairs[i]->Carry(side, answer, smoothers.at(&batch.ShapeOf(i, side)), {});
-        }
-      }
-    });
 }
 }
 
@@ -264,21 +160,20 @@ bool SharedPairs::MatchPairs(const Progress& progress)
   const std::vector<std::pair<int, int>> selected =
     isDone ? SelectPairsOf(summaries, this->Members) : std::vector<std::pair<int, int>>();
   const auto [first, last] = this->ShareOf(selected.size());
-  Batch batch(this->Members, this->Folder);
+  PairBatch batch(this->Members, this->Folder);
   for (std::size_t start = first; isDone && start < last; start += BatchSize)
   {
     const std::size_t end = std::min(start + BatchSize, last);
-    std::vector<std::array<std::pair<int, int>, 2>> pairs;
+    std::vector<PairEnds> pairs;
     for (std::size_t p = start; p < end; ++p)
     {
       const Summary& one = summaries[selected[p].first];
       const Summary& other = summaries[selected[p].second];
       pairs.push_back({ { { one.Member, one.Body }, { other.Member, other.Body } } });
     }
-    std::vector<ShapePair*> collected;
     const auto done = [&, begin = first, size = last - first](std::size_t at)
     { return afterSummaries + (1.0 - afterSummaries) * static_cast<double>(at - begin) / size; };
-    isDone = batch.Collect(pairs, collected, SubProgress(progress, done(start), done(end)));
+    isDone = batch.Collect(pairs, SubProgress(progress, done(start), done(end)));
   }
   this->IsAwaited = this->IsFirst();
   return this->IsDoneByAll(isDone);
@@ -316,25 +211,23 @@ bool SharedPairs::CarryMaps(std::vector<WantedMaps> wanted, const Progress& prog
     }
   }
   const auto [first, last] = this->ShareOf(wanted.size());
-  Batch batch(this->Members, this->Folder);
+  PairBatch batch(this->Members, this->Folder);
   bool isDone = true;
   for (std::size_t start = first; isDone && start < last; start += BatchSize)
   {
     const std::size_t end = std::min(start + BatchSize, last);
     const std::vector<WantedMaps> now(wanted.begin() + static_cast<std::ptrdiff_t>(start),
       wanted.begin() + static_cast<std::ptrdiff_t>(end));
-    std::vector<std::array<std::pair<int, int>, 2>> pairs;
+    std::vector<PairEnds> pairs;
     for (const WantedMaps& of : now)
     {
       pairs.push_back(of.Ends);
     }
-    std::vector<ShapePair*> collected;
-    isDone = batch.Collect(pairs, collected, {}) &&
+    isDone = batch.Collect(pairs, {}) &&
       Report(progress, static_cast<double>(end - first) / static_cast<double>(last - first));
     if (isDone)
     {
-      CarryBatch(now, collected, batch);
-      batch.Save();
+      batch.Carry(now);
     }
   }
   return this->IsDoneByAll(isDone);

@@ -2,32 +2,17 @@
 #ifndef marrow_SharedPairs_h
 #define marrow_SharedPairs_h
 
+#include "PairBatch.h"
 #include "Progress.h"
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 class vtkMultiProcessController;
-class vtkPolyData;
 
 namespace marrow
 {
-/// A mesh of a collection, as far as pairs have to know it.
-struct CollectionMember
-{
-  vtkPolyData* Mesh = nullptr;
-  bool IsSource = false;
-};
-
-/// Maps that are wanted of one pair.
-struct WantedMaps
-{
-  std::array<std::pair<int, int>, 2> Ends;            ///< of each the member and its body
-  std::vector<std::pair<int, std::size_t>> OfAnswers; ///< side and answer, as ShapePair::Carry
-};
-
 /// What takes long in a collection, spread over the processes of a controller: all have the same meshes, and
 /// each finds out about its share of the pairs. They tell each other by the files of CollectedPairs, so that the
 /// folder has to be the same for all; what a process does not find there it has to do itself. A process

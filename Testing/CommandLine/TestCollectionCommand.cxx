@@ -204,7 +204,8 @@ TEST_F(CollectionCommand, ProcessesTellWhatIsWrongOnceAndEnd)
     << partly.Error;
   const std::size_t first = partly.Error.find("is not a valid OFF file");
   ASSERT_NE(first, std::string::npos) << partly.Error;
-  EXPECT_EQ(partly.Error.find("is not a valid OFF file", first + 1), std::string::npos) << partly.Error;
+  EXPECT_EQ(partly.Error.find("is not a valid OFF file", first + 1), std::string::npos)
+    << partly.Error;
   EXPECT_GT(this->Accuracy("out/biped3.seg", 3), 0.9);
   fs::remove(this->Folder / "in/biped1.seg");
   const Outcome outcome = this->Run("in -o out", MARROW_MPIEXEC " -n 2");
