@@ -7,7 +7,7 @@
 
 Writes N creatures (bipeds of different poses and proportions, each 125th of them labelled), labels them by
 `mpiexec -n R MARROW collection`, one thread each, and writes FOLDER/processes.csv, a row for each N: the pairs that
-were matched, the seconds that it took and those that the processors worked, and the most memory that the first
+were matched, the seconds that it took by the clock and those that the processors worked, and the most memory that the first
 process and any other one held, in megabytes. FOLDER/processes.png is the plot of it (python3-matplotlib).
 """
 import argparse
@@ -76,9 +76,8 @@ def plot(rows, processes, path):
 
     column = {name: [float(row[i]) for row in rows] for i, name in enumerate(COLUMNS)}
     figure, (of_time, of_memory) = pyplot.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
-    of_time.plot(column["pairs"], column["processor_seconds"], "o-", label="processors, all together")
-    of_time.plot(column["pairs"], column["seconds"], "s-", label="clock")
-    of_time.set(xlabel="pairs matched", ylabel="seconds", xlim=(0, None), ylim=(0, None))
+    of_time.plot(column["pairs"], column["processor_seconds"], "o-", label="all processes together")
+    of_time.set(xlabel="pairs matched", ylabel="seconds of the processors", xlim=(0, None), ylim=(0, None))
     of_memory.plot(column["meshes"], column["first_megabytes"], "o-", label="first process")
     of_memory.plot(column["meshes"], column["other_megabytes"], "s-", label="any other process, the most")
     of_memory.set(xlabel="meshes", ylabel="megabytes", xlim=(0, None), ylim=(0, None))
