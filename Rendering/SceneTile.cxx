@@ -277,7 +277,8 @@ vtkDataArray* SurfaceArrayOf(const SceneTile& tile, const std::string& labelArra
 {
   if (!ShowsMeasure(tile))
   {
-    return tile.Mesh->GetCellData()->GetArray(labelArray.c_str());
+    const std::string& labels = tile.SurfaceLabels.empty() ? labelArray : tile.SurfaceLabels;
+    return tile.Mesh->GetCellData()->GetArray(labels.c_str());
   }
   vtkDataArray* ofPoints = tile.Mesh->GetPointData()->GetArray(tile.SurfaceArray.c_str());
   return ofPoints ? ofPoints : tile.Mesh->GetCellData()->GetArray(tile.SurfaceArray.c_str());

@@ -8,7 +8,9 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkActor;
@@ -32,9 +34,11 @@ struct SceneTile
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkPolyData> Skeleton;
   std::string Caption;
-  std::string SurfaceArray;             ///< empty: the labels
-  double Opacity = -1.0;                ///< negative: the scene's
-  vtkSmartPointer<vtkPolyData> CloseUp; ///< what the camera fits; null: the mesh
+  std::string SurfaceArray;                              ///< empty: the labels
+  std::string SurfaceLabels;                             ///< empty: those of the scene
+  std::optional<std::pair<double, double>> SurfaceRange; ///< none: that of the array
+  double Opacity = -1.0;                                 ///< negative: the scene's
+  vtkSmartPointer<vtkPolyData> CloseUp;                  ///< what the camera fits; null: the mesh
   std::vector<SceneCurves> Curves;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   /// From the mesh's coordinates to those of the first mesh.

@@ -118,6 +118,30 @@ void vtkMarrowSideBySideScene::SetSurfaceArray(int tile, const char* arrayName)
   }
 }
 
+void vtkMarrowSideBySideScene::SetSurfaceRange(int tile, double low, double high)
+{
+  if (this->HasTile(tile))
+  {
+    this->Internals->Tiles[tile].SurfaceRange = { low, high };
+  }
+}
+
+void vtkMarrowSideBySideScene::SetSurfaceLabels(int tile, const char* arrayName)
+{
+  if (!this->HasTile(tile))
+  {
+    return;
+  }
+  marrow::SceneTile& changed = this->Internals->Tiles[tile];
+  changed.SurfaceLabels = arrayName ? arrayName : "";
+  if (!changed.SurfaceLabels.empty() && !marrow::SurfaceArrayOf(changed, ""))
+  {
+    vtkErrorMacro("The mesh of tile " << tile << " has no cell array " << changed.SurfaceLabels
+                                      << " of labels.");
+    changed.SurfaceLabels.clear();
+  }
+}
+
 void vtkMarrowSideBySideScene::SetTileOpacity(int tile, double opacity)
 {
   if (this->HasTile(tile))
@@ -161,6 +185,12 @@ vtkRenderer* vtkMarrowSideBySideScene::GetRenderer(int tile)
 void vtkMarrowSideBySideScene::GetMeasureRange(int tile, double range[2]) const
 {
   const std::vector<marrow::SceneTile>& tiles = this->Internals->Tiles;
+  if (tiles[tile].SurfaceRange)
+  {
+    range[0] = tiles[tile].SurfaceRange->first;
+    range[1] = tiles[tile].SurfaceRange->second;
+    return;
+  }
   vtkMarrowMeasureColors::GetRange(marrow::SurfaceArrayOf(tiles[tile], ""), range);
   for (const marrow::SceneTile& other : tiles)
   {

@@ -61,6 +61,17 @@ public:
   void SetSurfaceArray(int tile, const char* arrayName);
 
   /**
+   * The values at the ends of a tile's colours and scalar bar, in place of those of its array.
+   */
+  void SetSurfaceRange(int tile, double low, double high);
+
+  /**
+   * Colours a tile's surface by another integer cell array of labels. The mesh stands as by LabelArrayName, so
+   * that two labellings of it can be compared. An error event tells of a tile or array that does not exist.
+   */
+  void SetSurfaceLabels(int tile, const char* arrayName);
+
+  /**
    * The opacity of one tile's surface in place of SurfaceOpacity, range [0, 1].
    */
   void SetTileOpacity(int tile, double opacity);

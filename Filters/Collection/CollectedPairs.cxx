@@ -121,6 +121,18 @@ bool CollectedPairs::Collect(const std::vector<Ends>& ends, const std::string& f
   return isComplete;
 }
 
+void CollectedPairs::ReadAgain(const std::string& folder)
+{
+  for (auto& [keys, entry] : this->Known)
+  {
+    if (ReadPair(FileOf(folder, keys), *entry.Pair))
+    {
+      entry.IsInFile = true;
+      entry.NumberInFile = entry.Pair->NumberOfCarried();
+    }
+  }
+}
+
 void CollectedPairs::Save(const std::string& folder)
 {
   for (auto& [keys, entry] : this->Known)

@@ -24,6 +24,9 @@ public:
   bool Collect(const std::vector<Ends>& ends, const std::string& folder,
     std::vector<ShapePair*>& pairs, const Progress& progress);
 
+  /// Takes from the files what other processes have found out meanwhile.
+  void ReadAgain(const std::string& folder);
+
   /// Writes the pairs of which more is known than when they were read or written.
   void Save(const std::string& folder);
 

@@ -10,7 +10,9 @@
 #include "LabelSpread.h"
 #include "MeshBridge.h"
 #include "PairSelection.h"
+#include "RejectedAnswers.h"
 #include "SegmentationTransfer.h"
+#include "SharedPairs.h"
 #include "SideTransfer.h"
 
 #include <vtkCellData.h>
@@ -22,6 +24,8 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -44,6 +48,9 @@ vtkStandardNewMacro(vtkCollectionTransfer);
 
 namespace
 {
+/// Of the progress, where several processes share the pairs.
+constexpr double OfSharedPairs = 0.6;
+
 /// A leaf of the tree, and what comes of it.
 struct Leaf
 {
@@ -58,6 +65,7 @@ struct Leaf
   double Against = 0.0;
   double MeanConfidence = 0.0;
   bool IsWholeAlignment = false;
+  std::vector<marrow::RejectedAnswer> Rejected; ///< Labels per cell
   std::string Note;
 };
 
@@ -138,6 +146,46 @@ std::vector<std::pair<int, int>> SelectPairsOf(const std::vector<ShapeOfLeaf>& s
   return marrow::SelectPairs(sketches, leafOfShape, isSource);
 }
 
+std::vector<marrow::CollectionMember> MembersOf(
+  const std::vector<Leaf>& leaves, const std::vector<int>& leafOfMesh)
+{
+  std::vector<marrow::CollectionMember> members;
+  for (const int l : leafOfMesh)
+  {
+    members.push_back({ leaves[l].Mesh, leaves[l].IsSource });
+  }
+  return members;
+}
+
+/// The maps by which shapes hear their tellers and that are not carried out yet. `leafOfMesh` ascends.
+std::vector<marrow::WantedMaps> MapsWantedBy(const marrow::CollectionGraph& graph,
+  const std::vector<ShapeOfLeaf>& shapes, const std::vector<int>& leafOfMesh)
+{
+  const auto endOf = [&](int shape)
+  {
+    const auto member = std::lower_bound(leafOfMesh.begin(), leafOfMesh.end(), shapes[shape].Leaf);
+    return std::make_pair(static_cast<int>(member - leafOfMesh.begin()), shapes[shape].Body);
+  };
+  std::vector<marrow::WantedMaps> ofLinks(graph.GetLinks().size());
+  for (int s = 0; s < graph.NumberOfShapes(); ++s)
+  {
+    for (const marrow::Teller& teller : graph.GetTellers(s))
+    {
+      const marrow::CollectionLink& link = graph.GetLinks()[teller.Link];
+      if (!link.Pair->IsCarried(teller.Side, link.Answer))
+      {
+        marrow::WantedMaps& wanted = ofLinks[teller.Link];
+        wanted.Ends = { endOf(link.Shapes[0]), endOf(link.Shapes[1]) };
+        wanted.OfAnswers.emplace_back(teller.Side, link.Answer);
+      }
+    }
+  }
+  ofLinks.erase(std::remove_if(ofLinks.begin(), ofLinks.end(),
+                  [](const marrow::WantedMaps& wanted) { return wanted.OfAnswers.empty(); }),
+    ofLinks.end());
+  return ofLinks;
+}
+
 void SetMeanConfidence(Leaf& leaf)
 {
   const marrow::WorkingSurface& working = leaf.Collected->Side.Surface.Working;
@@ -157,9 +205,11 @@ void SetMeanConfidence(Leaf& leaf)
   leaf.MeanConfidence = total > 0.0 ? sum / total : 0.0;
 }
 
-/// Brings what the bodies got to the cells of their leaves.
+/// Brings what the bodies got to the cells of their leaves; `rejected` are the answers that the largest bodies
+/// did not take.
 void Collect(const std::vector<ShapeOfLeaf>& shapes,
-  const std::vector<marrow::SpreadLabels>& spread, std::vector<Leaf>& leaves)
+  const std::vector<marrow::SpreadLabels>& spread,
+  const std::vector<std::vector<marrow::RejectedAnswer>>& rejected, std::vector<Leaf>& leaves)
 {
   struct OfWorking
   {
@@ -190,6 +240,7 @@ void Collect(const std::vector<ShapeOfLeaf>& shapes,
     {
       leaf.Source = shapes[spread[s].Source].Leaf;
       leaf.Against = spread[s].Against;
+      leaf.Rejected = rejected[s];
     }
   }
   for (std::size_t l = 0; l < leaves.size(); ++l)
@@ -210,7 +261,43 @@ void Collect(const std::vector<ShapeOfLeaf>& shapes,
     leaf.Labels = std::move(ofCells.Labels);
     leaf.Confidence = std::move(ofCells.Confidence);
     SetMeanConfidence(leaf);
+    for (marrow::RejectedAnswer& answer : leaf.Rejected)
+    {
+      const marrow::PreparedSurface& surface = leaf.Collected->Side.Surface;
+      std::vector<int> labels = ofLeaves[l].Labels;
+      for (std::size_t t = 0; t < answer.Labels.size(); ++t)
+      {
+        labels[surface.Bodies[0].OriginalTriangle[t]] = answer.Labels[t];
+      }
+      answer.Labels = marrow::ToCells(surface, labels, ofLeaves[l].Confidence).Labels;
+    }
   }
+}
+
+/// The answers that were not taken, a component of the arrays for each.
+void WriteRejected(const std::vector<marrow::RejectedAnswer>& rejected, vtkPolyData* output)
+{
+  const int size = static_cast<int>(rejected.size());
+  vtkNew<vtkIntArray> labels;
+  labels->SetName(marrow::names::RejectedSegmentId);
+  labels->SetNumberOfComponents(size);
+  labels->SetNumberOfTuples(output->GetNumberOfCells());
+  vtkNew<vtkDoubleArray> against;
+  against->SetName(marrow::names::RejectedAgainst);
+  vtkNew<vtkDoubleArray> difference;
+  difference->SetName(marrow::names::RejectedDifference);
+  for (int i = 0; i < size; ++i)
+  {
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      labels->SetTypedComponent(cell, i, rejected[i].Labels[cell]);
+    }
+    against->InsertNextValue(rejected[i].Against);
+    difference->InsertNextValue(rejected[i].Difference);
+  }
+  output->GetCellData()->AddArray(labels);
+  output->GetFieldData()->AddArray(against);
+  output->GetFieldData()->AddArray(difference);
 }
 
 vtkSmartPointer<vtkPolyData> LabelledMesh(const Leaf& leaf, vtkAbstractArray* segmentNames)
@@ -226,6 +313,10 @@ vtkSmartPointer<vtkPolyData> LabelledMesh(const Leaf& leaf, vtkAbstractArray* se
   {
     output->GetFieldData()->RemoveArray(marrow::names::SegmentName);
     output->GetFieldData()->AddArray(segmentNames);
+  }
+  if (!leaf.Rejected.empty())
+  {
+    WriteRejected(leaf.Rejected, output);
   }
   marrow::WriteNote(leaf.Collected->Side.Surface, output);
   return output;
@@ -367,8 +458,34 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     meshes.push_back(leaf.Mesh);
     leafOfMesh.push_back(static_cast<int>(l));
   }
+  const std::string folder = this->CacheFolder ? this->CacheFolder : "";
+  marrow::SharedPairs shared(this->Controller, MembersOf(leaves, leafOfMesh), folder);
+  if (shared.IsShared())
+  {
+    if (folder.empty())
+    {
+      vtkErrorMacro(
+        << "Several processes share the work, but there is no folder by which they tell each "
+           "other: set CacheFolder.");
+      return 0;
+    }
+    if (!shared.MatchPairs(marrow::ProgressOf(this, 0.0, OfSharedPairs)))
+    {
+      return 1;
+    }
+    if (!shared.IsFirst())
+    {
+      shared.CarryMaps({}, marrow::ProgressOf(this, OfSharedPairs, 1.0));
+      return 1;
+    }
+  }
+  const auto progressOf = [&](double from, double to)
+  {
+    const double start = shared.IsShared() ? OfSharedPairs : 0.0;
+    return marrow::ProgressOf(this, start + (1.0 - start) * from, start + (1.0 - start) * to);
+  };
   std::vector<std::shared_ptr<const marrow::CollectedMesh>> collected;
-  if (!this->Remembered->Meshes.Collect(meshes, collected, marrow::ProgressOf(this, 0.0, 0.2)))
+  if (!this->Remembered->Meshes.Collect(meshes, collected, progressOf(0.0, 0.2)))
   {
     return 1;
   }
@@ -407,7 +524,6 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const std::vector<ShapeOfLeaf> shapes = ShapesOf(leaves);
-  const std::string folder = this->CacheFolder ? this->CacheFolder : "";
   std::vector<marrow::CollectionLink> links;
   std::vector<marrow::CollectedPairs::Ends> ends;
   for (const auto& [first, second] : SelectPairsOf(shapes))
@@ -418,7 +534,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     ends.emplace_back(shapes[first].Shape, shapes[second].Shape);
   }
   std::vector<marrow::ShapePair*> pairs;
-  if (!this->Remembered->Pairs.Collect(ends, folder, pairs, marrow::ProgressOf(this, 0.2, 0.6)))
+  if (!this->Remembered->Pairs.Collect(ends, folder, pairs, progressOf(0.2, 0.6)))
   {
     return 1;
   }
@@ -437,11 +553,20 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
   marrow::CollectionGraph graph(
     std::move(ofGraph), meshOfShape, std::move(labelsOfGraph), std::move(links));
-  if (!marrow::VoteOnAnswers(graph, marrow::ProgressOf(this, 0.6, 0.65)))
+  if (!marrow::VoteOnAnswers(graph, progressOf(0.6, 0.65)))
   {
     return 1;
   }
-  const bool isCarried = marrow::CarryMaps(graph, marrow::ProgressOf(this, 0.65, 0.95));
+  marrow::ChooseTellers(graph);
+  if (shared.IsShared())
+  {
+    if (!shared.CarryMaps(MapsWantedBy(graph, shapes, leafOfMesh), {}))
+    {
+      return 1;
+    }
+    this->Remembered->Pairs.ReadAgain(folder);
+  }
+  const bool isCarried = marrow::CarryMaps(graph, progressOf(0.65, 0.95));
   if (!folder.empty())
   {
     this->Remembered->Pairs.Save(folder);
@@ -451,12 +576,18 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<marrow::SpreadLabels> spread =
-    marrow::SpreadOverGraph(graph, marrow::ProgressOf(this, 0.95, 1.0));
+    marrow::SpreadOverGraph(graph, progressOf(0.95, 1.0));
   if (marrow::IsAborted(this))
   {
     return 1;
   }
-  Collect(shapes, spread, leaves);
+  std::vector<std::vector<marrow::RejectedAnswer>> rejected(shapes.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    rejected[s] = marrow::FindRejectedAnswers(graph, static_cast<int>(s), spread[s].Source,
+      spread[s].Labels, static_cast<std::size_t>(this->NumberOfRejectedAnswers));
+  }
+  Collect(shapes, spread, rejected, leaves);
 
   vtkAbstractArray* segmentNames = nullptr;
   for (const Leaf& leaf : leaves)
@@ -492,8 +623,24 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
+void vtkCollectionTransfer::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkCollectionTransfer::GetController() const
+{
+  return this->Controller;
+}
+
 void vtkCollectionTransfer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CacheFolder: " << (this->CacheFolder ? this->CacheFolder : "(none)") << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "NumberOfRejectedAnswers: " << this->NumberOfRejectedAnswers << "\n";
 }

@@ -37,6 +37,11 @@
  *   - SegmentConfidence (double in [0,1]): the share that all tellers together give the face's segment,
  *     smaller near boundaries, times how far the best way from a labelled mesh is to be trusted; 1 on
  *     a labelled mesh;
+ *   - RejectedSegmentId (int, a component for each), if NumberOfRejectedAnswers is not 0 and there are such answers,
+ *     on a mesh that was not labelled: the segments by the answers that would have come next, as coarse as
+ *     they were tried out, those first that come nearest to being taken. The field arrays RejectedAgainst
+ *     (double, a value for each) is what speaks against them, as Against below, and RejectedDifference (double)
+ *     the share of the area that they would label otherwise;
  *   and the field array SegmentName of the first labelled mesh that has it. What cannot be used (see the
  *   warnings) goes through as it is;
  * - 1, a vtkTable with a row for each leaf in their order: Block (string, its name; "block 3" without one),
@@ -44,7 +49,8 @@
  *   for it), Confidence (double, mean of SegmentConfidence over the area), Against (double, what speaks
  *   against the answer taken of that source, 0 to 5, good ones below 1), Note (string, what was mended and what went wrong).
  *
- * Errors: no leaf that can be used is labelled; more than 500 different segments.
+ * Errors: no leaf that can be used is labelled; more than 500 different segments; a Controller of several
+ * processes without a CacheFolder.
  * Warnings, each of which names the leaf: one that is no vtkPolyData, has no face, points that are not
  * finite, or a segment array that is not one integer a cell; meshes that are aligned as wholes with all
  * labelled ones.
@@ -59,8 +65,11 @@
 
 #include "MarrowCollectionModule.h" // for export macro
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkSmartPointer.h" // for the controller
 
 #include <memory> // for std::unique_ptr
+
+class vtkMultiProcessController;
 
 class MARROWCOLLECTION_EXPORT vtkCollectionTransfer : public vtkDataObjectAlgorithm
 {
@@ -80,6 +89,28 @@ public:
   vtkGetFilePathMacro(CacheFolder);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the work, if there are several; none by default. All have the same input and the
+   * same CacheFolder, which has to be set, and by whose files they tell each other of pairs: on several
+   * machines a folder on a file system that these share. The output is with the first process, on the others
+   * the tree is empty. It is the same as that of one process. The first process holds all meshes, the others
+   * a few dozen at a time.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
+  /**
+   * How many of the answers that were not taken are given out, to be looked at: of those of the labelled
+   * mesh that counts most, each of which would label 5 % of the area or more otherwise. Default 0, range
+   * [0, 9].
+   */
+  vtkSetClampMacro(NumberOfRejectedAnswers, int, 0, 9);
+  vtkGetMacro(NumberOfRejectedAnswers, int);
+  ///@}
+
 protected:
   vtkCollectionTransfer();
   ~vtkCollectionTransfer() override;
@@ -96,6 +127,8 @@ private:
   void operator=(const vtkCollectionTransfer&) = delete;
 
   char* CacheFolder = nullptr;
+  int NumberOfRejectedAnswers = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   struct Memory;
   std::unique_ptr<Memory> Remembered;

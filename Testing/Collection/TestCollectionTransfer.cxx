@@ -26,6 +26,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -152,6 +153,54 @@ TEST(CollectionTransfer, OneLabelledMeshLabelsTheOthers)
   EXPECT_EQ(table->GetValueByName(3, "Source").ToString(), "mesh 0");
   EXPECT_GT(table->GetValueByName(3, "Confidence").ToDouble(), 0.7);
   EXPECT_GT(table->GetValueByName(3, "Against").ToDouble(), 0.0);
+}
+
+TEST(CollectionTransfer, RejectedAnswersAreGivenOutOnDemand)
+{
+  vtkNew<vtkCollectionTransfer> collection;
+  collection->SetInputDataObject(Collection({ 0, 1, 2 }));
+  collection->Update();
+  const std::vector<int> taken = LabelsOf(Block(collection, 1));
+  EXPECT_FALSE(Block(collection, 1)->GetCellData()->HasArray(names::RejectedSegmentId));
+  collection->SetNumberOfRejectedAnswers(2);
+  collection->Update();
+  const Mesh target = Block(collection, 1);
+  EXPECT_EQ(LabelsOf(target), taken);
+  EXPECT_FALSE(Block(collection, 0)->GetCellData()->HasArray(names::RejectedSegmentId));
+  // A biped is as well seen from behind: left for right, arms or legs or both.
+  vtkDataArray* rejected = target->GetCellData()->GetArray(names::RejectedSegmentId);
+  ASSERT_TRUE(rejected);
+  ASSERT_EQ(rejected->GetNumberOfComponents(), 2);
+  ASSERT_EQ(rejected->GetNumberOfTuples(), target->GetNumberOfCells());
+  vtkDataArray* against = target->GetFieldData()->GetArray(names::RejectedAgainst);
+  vtkDataArray* difference = target->GetFieldData()->GetArray(names::RejectedDifference);
+  ASSERT_TRUE(against && difference);
+  TriangleMesh mesh;
+  ToTriangleMesh(target, mesh);
+  const auto shareOf = [&](const std::function<bool(int)>& isCounted)
+  {
+    double sum = 0.0;
+    double total = 0.0;
+    for (int t = 0; t < mesh.NumberOfTriangles(); ++t)
+    {
+      total += mesh.Area(t);
+      sum += isCounted(t) ? mesh.Area(t) : 0.0;
+    }
+    return sum / total;
+  };
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_GT(against->GetTuple1(i), 0.0);
+    EXPECT_GE(difference->GetTuple1(i), 0.05);
+    // As coarse as they are, the figure tells what is seen.
+    EXPECT_NEAR(shareOf([&](int t) { return rejected->GetComponent(t, i) != taken[t]; }),
+      difference->GetTuple1(i), 0.03);
+  }
+  EXPECT_LE(against->GetTuple1(0) + difference->GetTuple1(0),
+    against->GetTuple1(1) + difference->GetTuple1(1));
+  EXPECT_GE(
+    shareOf([&](int t) { return rejected->GetComponent(t, 0) != rejected->GetComponent(t, 1); }),
+    0.03);
 }
 
 TEST(CollectionTransfer, OneTargetGetsWhatTheTransferGives)

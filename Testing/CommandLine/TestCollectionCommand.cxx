@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -154,6 +155,70 @@ TEST_F(CollectionCommand, AnotherRunTakesWhatIsKnown)
     this->Content("out/summary.csv").find("biped2,in/biped2.off,source"), std::string::npos);
 }
 
+#ifdef MARROW_MPIEXEC
+TEST_F(CollectionCommand, ProcessesShareTheWorkAndGiveTheSame)
+{
+  EXPECT_EQ(this->Run("in -o alone").ExitCode, 0);
+  for (const std::string number : { "2", "4" })
+  {
+    const std::string folder = "of" + number;
+    const Outcome outcome = this->Run("in -o " + folder, MARROW_MPIEXEC " -n " + number);
+    EXPECT_EQ(outcome.ExitCode, 0) << outcome.Error;
+    for (const std::string file : { "/biped2.vtp", "/biped3.vtp", "/summary.csv" })
+    {
+      EXPECT_EQ(this->Content(folder + file), this->Content("alone" + file)) << folder << file;
+    }
+    // Nothing was left for the first to do by itself: the maps of a pair are all in its file.
+    for (const auto& entry : fs::directory_iterator(this->Folder / "alone/.marrow"))
+    {
+      const std::string file = "/.marrow/" + entry.path().filename().string();
+      EXPECT_EQ(this->Content(folder + file), this->Content("alone" + file)) << folder << file;
+    }
+  }
+}
+
+TEST_F(CollectionCommand, EveryProcessDoesItsPart)
+{
+  // Each with a folder of its own, which is a mistake: what the others did is not found then.
+  EXPECT_EQ(this->Run("in -o alone").ExitCode, 0);
+  const std::string second = " : -n 1 '" MARROW_COMMAND "' --quiet collection in -o second";
+  const Outcome outcome = this->Run("in -o first" + second, MARROW_MPIEXEC " -n 1");
+  EXPECT_EQ(outcome.ExitCode, 0) << outcome.Error;
+  const auto numberOfPairs = [this](const std::string& folder)
+  {
+    const fs::directory_iterator files(this->Folder / folder / ".marrow");
+    return std::distance(begin(files), end(files));
+  };
+  EXPECT_EQ(numberOfPairs("second"), 2); // of three
+  EXPECT_FALSE(fs::exists(this->Folder / "second/summary.csv"));
+  EXPECT_EQ(numberOfPairs("first"), 3);
+  EXPECT_EQ(this->Content("first/biped2.vtp"), this->Content("alone/biped2.vtp"));
+}
+
+TEST_F(CollectionCommand, ProcessesTellWhatIsWrongOnceAndEnd)
+{
+  std::ofstream(this->Folder / "in/broken.off") << "OFF\nnothing\n";
+  const Outcome partly = this->Run("in -o out --format seg", MARROW_MPIEXEC " -n 2");
+  EXPECT_NE(partly.ExitCode, 0);
+  EXPECT_NE(partly.Error.find("3 of 4 done; 1 failed: in/broken.off"), std::string::npos)
+    << partly.Error;
+  const std::size_t first = partly.Error.find("is not a valid OFF file");
+  ASSERT_NE(first, std::string::npos) << partly.Error;
+  EXPECT_EQ(partly.Error.find("is not a valid OFF file", first + 1), std::string::npos)
+    << partly.Error;
+  EXPECT_GT(this->Accuracy("out/biped3.seg", 3), 0.9);
+  fs::remove(this->Folder / "in/biped1.seg");
+  const Outcome outcome = this->Run("in -o out", MARROW_MPIEXEC " -n 2");
+  EXPECT_NE(outcome.ExitCode, 0);
+  EXPECT_NE(outcome.Error.find("No mesh of the collection"), std::string::npos) << outcome.Error;
+}
+#else
+TEST_F(CollectionCommand, ProcessesShareTheWorkAndGiveTheSame)
+{
+  GTEST_SKIP() << "VTK has no ParallelMPI here, or there is no mpiexec.";
+}
+#endif
+
 TEST_F(CollectionCommand, ABadMeshDoesNotStopTheRest)
 {
   std::ofstream(this->Folder / "in/broken.off") << "OFF\nnothing\n";
@@ -210,4 +275,8 @@ TEST_F(CollectionCommand, TheReportHoldsAPictureOfEachTarget)
   }
   EXPECT_EQ(pictures, 2u);
   EXPECT_EQ(page.find("http"), std::string::npos); // nothing from elsewhere
+  // What is written is the same without it.
+  const std::string mesh = this->Content("out/biped2.vtp");
+  EXPECT_EQ(this->Run("in -o out").ExitCode, 0);
+  EXPECT_EQ(this->Content("out/biped2.vtp"), mesh);
 }

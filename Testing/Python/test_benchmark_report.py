@@ -12,6 +12,7 @@ import unittest
 
 import marrow
 
+PLOT = pathlib.Path(os.environ["MARROW_SOURCE"], "Testing/Benchmarks/Collection/plot_collection.py")
 REPORT = pathlib.Path(os.environ["MARROW_SOURCE"], "Testing/Benchmarks/Segmentation/report.py")
 OUTPUT = pathlib.Path(os.environ["MARROW_TEST_OUTPUT"], "BenchmarkReport")
 # What the report reads of the tables; what is not here is empty.
@@ -92,6 +93,35 @@ class TestBenchmarkReport(unittest.TestCase):
         stderr, page = self.report("nowhere")
         self.assertIsNone(page)
         self.assertIn("there is no summary.csv; run marrow-benchmark-segmentation first.", stderr)
+
+
+@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
+class TestCollectionPlot(unittest.TestCase):
+    def setUp(self):
+        self.folder = OUTPUT / "collection"
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+        self.table = self.folder / "result.csv"
+        with open(self.table, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows([
+                ["category", "sources", "company", "accuracy", "wrong_in_least_sure_tenth"],
+                ["Ant", 1, 1, 0.5, 0.25], ["Ant", 7, 1, 1.0, 0.5], ["Ant", 1, 0, 0.25, 0.125],
+                ["Vase", 1, 1, 0.75, 0.75]])
+
+    def test_a_point_is_the_mean_of_all_categories_or_is_not_there(self):
+        spec = importlib.util.spec_from_file_location("plot_collection", PLOT)
+        plot = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(plot)
+        table = plot.read(self.table)
+        self.assertEqual(plot.series(table, True, ["Ant", "Vase"], 0), ([1], [0.625]))
+        self.assertEqual(plot.series(table, True, ["Ant"], 0), ([1, 7], [0.5, 1.0]))
+        self.assertEqual(plot.series(table, True, ["Ant"], 1), ([1, 7], [0.25, 0.5]))
+        self.assertEqual(plot.series(table, False, ["Ant"], 0), ([1], [0.25]))
+
+    def test_the_pictures_are_drawn(self):
+        subprocess.run([sys.executable, PLOT, self.table, "-o", self.folder], check=True)
+        for name in ("means.png", "categories.png"):
+            self.assertEqual((self.folder / name).read_bytes()[:4], b"\x89PNG")
 
 
 if __name__ == "__main__":

@@ -25,12 +25,14 @@ FUNCTIONS = [
 if hasattr(vtk, "vtkMarrowMeanCurvatureSkeleton"):
     FUNCTIONS.append((marrow.mean_curvature_skeleton, _skeleton.MeanCurvatureSkeletonParameters,
                       vtk.vtkMarrowMeanCurvatureSkeleton, set()))
+# What a program of several processes sets, and no caller of a function.
+OF_PROGRAMS = {"SetController"}
 
 
 def properties_of(kind):
     """The parameters that the class adds to VTK's own: names with a setter and a getter."""
     return {name[3:] for name in vars(kind)
-            if name.startswith("Set") and "Get" + name[3:] in vars(kind)}
+            if name.startswith("Set") and "Get" + name[3:] in vars(kind) and name not in OF_PROGRAMS}
 
 
 def getter(instance, keyword):

@@ -8,6 +8,7 @@
 #include <vtkCreatureSource.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
 #include <vtkMarrowLabelColors.h>
 #include <vtkMarrowSideBySideScene.h>
 #include <vtkMarrowSkeletonGlyphs.h>
@@ -25,6 +26,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -217,6 +219,11 @@ TEST(SideBySideScene, AMeasureColorsTheSurfaceAndHasAScalarBar)
     scene->SetSurfaceArray(scene->AddMesh(taller), "Height");
     Draw(scene, images[shared]);
   }
+  vtkNew<vtkMarrowSideBySideScene> given;
+  given->SetSurfaceArray(given->AddMesh(mesh), "Height");
+  given->SetSurfaceRange(0, 0.0, 2.0 * height->GetRange()[1]);
+  vtkNew<vtkImageData> ofGiven;
+  Draw(given, ofGiven);
   // Feet dark blue, head bright: viridis runs upwards, above the scalar bar's 17 lowest rows.
   const Eigen::Vector3d dark(68, 1, 84);
   const Eigen::Vector3d bright(253, 231, 37);
@@ -229,6 +236,54 @@ TEST(SideBySideScene, AMeasureColorsTheSurfaceAndHasAScalarBar)
   // With one range for both, the one of small values has nothing bright any more.
   EXPECT_EQ(CountPixels(images[1], bright, 0, 120, 50, 100), 0);
   EXPECT_GT(CountPixels(images[1], bright, 120, 240, 50, 100), 20);
+  // Nor with one that ends at twice its height.
+  EXPECT_GT(CountPixels(ofGiven, dark, 0, 120, 17, 50), 20);
+  EXPECT_EQ(CountPixels(ofGiven, bright, 0, 120, 50, 100), 0);
+}
+
+TEST(SideBySideScene, OtherLabelsColorTheSurfaceAndDoNotTurnIt)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = Creature();
+  vtkDataArray* labels = mesh->GetCellData()->GetArray("SegmentId");
+  vtkNew<vtkPolyData> otherwise;
+  otherwise->ShallowCopy(mesh);
+  // Head for tail and tail for head, which would turn it round.
+  vtkNew<vtkIntArray> exchanged;
+  exchanged->SetName("Exchanged");
+  const int most = static_cast<int>(labels->GetRange()[1]);
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    exchanged->InsertNextValue(most - static_cast<int>(labels->GetTuple1(i)));
+  }
+  otherwise->GetCellData()->AddArray(exchanged);
+  vtkNew<vtkMarrowSideBySideScene> scene;
+  scene->AddMesh(mesh);
+  scene->SetSurfaceLabels(scene->AddMesh(otherwise), "Exchanged");
+  vtkNew<vtkImageData> image;
+  Draw(scene, image);
+  int ofOneOnly = 0;
+  int ofOtherColor = 0;
+  for (int y = 0; y < 100; ++y)
+  {
+    for (int x = 0; x < 120; ++x)
+    {
+      double here = 0.0;
+      double there = 0.0;
+      double difference = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const double first = image->GetScalarComponentAsDouble(x, y, 0, k);
+        const double second = image->GetScalarComponentAsDouble(120 + x, y, 0, k);
+        here = std::max(here, 255.0 - first);
+        there = std::max(there, 255.0 - second);
+        difference = std::max(difference, std::abs(first - second));
+      }
+      ofOneOnly += (here == 0.0) != (there == 0.0) ? 1 : 0;
+      ofOtherColor += difference > 30.0 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(ofOneOnly, 0);
+  EXPECT_GT(ofOtherColor, 500);
 }
 
 TEST(SideBySideScene, SkeletonsTakeTheLabelsOfTheirPartOfTheSurface)
@@ -403,6 +458,8 @@ TEST(SideBySideScene, ErrorsAreTold)
   EXPECT_NE(told.find("There is no tile 1"), std::string::npos) << told;
   scene->SetSurfaceArray(0, "Absent");
   EXPECT_NE(told.find("neither a point nor a cell array Absent"), std::string::npos) << told;
+  scene->SetSurfaceLabels(0, "Elsewhere");
+  EXPECT_NE(told.find("no cell array Elsewhere"), std::string::npos) << told;
 
   scene->SetViewDirection(0, 2, 0);
   EXPECT_FALSE(scene->Render(image));

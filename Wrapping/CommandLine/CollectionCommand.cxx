@@ -7,20 +7,39 @@
 #include "Console.h"
 #include "Interrupt.h"
 #include "MeshFiles.h"
+#include "Processes.h"
 
+#include <vtkCellData.h>
 #include <vtkCollectionTransfer.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkMarrowSideBySideScene.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
 #include <filesystem>
 #include <map>
 
 namespace fs = std::filesystem;
+
+namespace
+{
+/// The rejected answers are the report's alone: what is written does not depend on whether there is one.
+vtkSmartPointer<vtkPolyData> WithoutRejected(vtkPolyData* mesh)
+{
+  auto written = vtkSmartPointer<vtkPolyData>::New();
+  written->ShallowCopy(mesh);
+  written->GetCellData()->RemoveArray("RejectedSegmentId");
+  written->GetFieldData()->RemoveArray("RejectedAgainst");
+  written->GetFieldData()->RemoveArray("RejectedDifference");
+  return written;
+}
+}
 
 CLI::App* CollectionCommand::Declare(CLI::App& marrow)
 {
@@ -44,14 +63,17 @@ CLI::App* CollectionCommand::Declare(CLI::App& marrow)
     std::string(files::LabelsHelp) + " (default: the array SegmentId, where it is)");
   app->add_option("--report", this->Report,
     "A page (.html) to look through the result, the least sure first; needs an X display");
-  app->footer("Examples:\n"
-              "  marrow collection animals -o labelled\n"
-              "  marrow collection animals -o labelled --format seg\n"
-              "To correct one, put its corrected NAME.seg beside it and run again: only what "
-              "depends on it is done "
-              "anew. Ctrl-C loses nothing that is done. A mesh that cannot be used is named, and "
-              "the others are "
-              "done; the exit code is then 1.");
+  app->footer(
+    "Examples:\n"
+    "  marrow collection animals -o labelled\n"
+    "  marrow collection animals -o labelled --format seg\n"
+    "To correct one, put its corrected NAME.seg beside it and run again: only what "
+    "depends on it is done "
+    "anew. Ctrl-C loses nothing that is done. A mesh that cannot be used is named, and "
+    "the others are "
+    "done; the exit code is then 1.\n"
+    "After mpiexec several processes share the work; both folders have to be the same for all, "
+    "as on a file system that several machines share.");
   return app;
 }
 
@@ -95,6 +117,7 @@ std::vector<vtkPolyData*> CollectionCommand::Label(vtkCollectionTransfer* transf
   const fs::path pairs = fs::path(this->Output) / ".marrow";
   files::MakeFolder(pairs.string());
   transfer->SetCacheFolder(pairs.c_str());
+  transfer->SetNumberOfRejectedAnswers(this->Report.empty() ? 0 : MostRejectedAnswers);
   transfer->SetInputDataObject(blocks);
   {
     const Interrupt interrupt(transfer);
@@ -119,9 +142,31 @@ std::vector<vtkPolyData*> CollectionCommand::Label(vtkCollectionTransfer* transf
 
 void CollectionCommand::Run(Console& console)
 {
-  this->RequireOutput();
+  const Processes processes;
+  if (!processes.IsFirst())
+  {
+    // The first one tells what is to be told.
+    console.SetQuiet(true);
+  }
+  else
+  {
+    this->RequireOutput();
+  }
   const std::vector<CollectionEntry> entries = ReadCollection(this->Folder, this->Labels, console);
   vtkNew<vtkCollectionTransfer> transfer;
+  transfer->SetController(processes.GetController());
+  if (!processes.IsFirst())
+  {
+    this->Label(transfer, entries, console);
+    return;
+  }
+  for (const CollectionEntry& entry : entries)
+  {
+    if (!entry.Error.empty())
+    {
+      Console::ShowError(CommandError(entry.Error));
+    }
+  }
   const std::vector<vtkPolyData*> meshes = this->Label(transfer, entries, console);
   const std::vector<CollectionRow> rows =
     Summarize(entries, vtkTable::SafeDownCast(transfer->GetOutputDataObject(1)), meshes);
@@ -132,7 +177,7 @@ void CollectionCommand::Run(Console& console)
   {
     if (rows[i].Role == "target")
     {
-      files::Write(meshes[i],
+      files::Write(WithoutRejected(meshes[i]),
         (fs::path(this->Output) / (rows[i].Name + "." + this->Format)).string(), console);
     }
     if (meshes[i])

@@ -108,7 +108,6 @@ std::vector<CollectionEntry> ReadCollection(
     {
       entry.Error = failure.what();
       entry.Mesh = nullptr;
-      Console::ShowError(failure);
     }
     entries.push_back(entry);
   }

@@ -22,7 +22,7 @@ struct CollectionEntry
 
 /// All meshes of a folder by name, read; the folders in it are left alone. A mesh with a segment file
 /// of its name beside it, or with labels of its own (`labels` as for --labels; empty: a cell array SegmentId),
-/// is labelled. What cannot be read has an Error, which is told as well.
+/// is labelled. What cannot be read has an Error.
 std::vector<CollectionEntry> ReadCollection(
   const std::string& folder, const std::string& labels, Console& console);
 

@@ -10,9 +10,12 @@
 
 class vtkPolyData;
 
+/// So many of the answers that a mesh did not take are shown (vtkCollectionTransfer's RejectedSegmentId).
+inline constexpr int MostRejectedAnswers = 3;
+
 /// A page to look through: each mesh that was labelled in its segments and in its confidence, beside the
-/// labelled mesh that it trusted most, the least sure first. Self-contained: the pictures are in it. Needs
-/// a display.
+/// labelled mesh that it trusted most and, smaller, the answers that it did not take; the least sure first.
+/// Self-contained: the pictures are in it. Needs a display.
 std::string CollectionReport(
   const std::vector<CollectionRow>& rows, const std::map<std::string, vtkPolyData*>& meshOfName);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnswerVote.h"
 
+#include "CoarseShares.h"
 #include "LabelShares.h"
 #include "SpreadRounds.h"
 
@@ -23,23 +24,11 @@ std::vector<LabelShares> SharesOfCoarseSources(const CollectionGraph& graph)
   {
     if (graph.IsSource(s))
     {
-      const CollectionShape& shape = graph.GetShape(s);
-      shares[s] = SharesOfTriangles(shape.Coarse.Side.Mesh,
-        SharesOfCells(shape.Fine.Mesh, shape.Coarse,
-          SharesOfLabels(graph.GetLabels(s), graph.GetDifferentLabels())));
+      shares[s] =
+        CoarseSharesOfLabels(graph.GetShape(s), graph.GetLabels(s), graph.GetDifferentLabels());
     }
   }
   return shares;
-}
-
-LabelShares Tell(const CollectionGraph& graph, const std::vector<LabelShares>& ofTriangles,
-  const Teller& teller, std::size_t answer, double weight)
-{
-  const CollectionShape& told = graph.GetShape(graph.GetLinks()[teller.Link].Shapes[teller.Side]);
-  const TriedAnswer& tried = graph.GetLinks()[teller.Link].Pair->GetAnswers()[answer];
-  return GatherShares(
-    { { &ofTriangles[teller.Shape], &tried.FoundTriangles[teller.Side], nullptr, weight } },
-    told.Coarse.Side.Mesh.NumberOfVertices(), graph.NumberOfLabels());
 }
 
 /// The share of the area on which two labellings differ.
@@ -72,7 +61,8 @@ void AddVotesAt(const CollectionGraph& graph, const std::vector<LabelShares>& of
   for (const Teller& teller : tellers)
   {
     const CollectionLink& link = graph.GetLinks()[teller.Link];
-    told.push_back(Tell(graph, ofTriangles, teller, link.Answer, graph.WeightOf(teller)));
+    told.push_back(
+      TellCoarsely(graph, ofTriangles[teller.Shape], teller, link.Answer, graph.WeightOf(teller)));
     all += told.back();
   }
   for (std::size_t i = 0; i < tellers.size(); ++i)
@@ -82,8 +72,8 @@ void AddVotesAt(const CollectionGraph& graph, const std::vector<LabelShares>& of
     Ballot& ballot = ballots[tellers[i].Link];
     for (std::size_t a = 0; a < ballot.Differences.size(); ++a)
     {
-      ballot.Differences[a] +=
-        Difference(rest, Tell(graph, ofTriangles, tellers[i], a, 1.0), coarse.Shares);
+      ballot.Differences[a] += Difference(rest,
+        TellCoarsely(graph, ofTriangles[tellers[i].Shape], tellers[i], a, 1.0), coarse.Shares);
     }
     ++ballot.NumberOfEnds;
   }

@@ -36,10 +36,37 @@ std::string KeyOf(const AnalyzedMesh& shape)
 CollectionShape::CollectionShape(const AnalyzedMesh& fine)
   : Fine(fine)
   , Coarse(Coarsen(fine))
-  , FineSearch(std::make_shared<SourceSearch>(fine, std::vector<bool>()))
-  , CoarseSearch(std::make_shared<SourceSearch>(this->Coarse.Side, std::vector<bool>()))
-  , CoarseSmoother(DenseMapper::SmootherOf(this->Coarse.Side))
   , Key(KeyOf(fine))
 {
+}
+
+std::shared_ptr<const SourceSearch> CollectionShape::GetFineSearch() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->FineSearch)
+  {
+    this->FineSearch = std::make_shared<SourceSearch>(this->Fine, std::vector<bool>());
+  }
+  return this->FineSearch;
+}
+
+std::shared_ptr<const SourceSearch> CollectionShape::GetCoarseSearch() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->CoarseSearch)
+  {
+    this->CoarseSearch = std::make_shared<SourceSearch>(this->Coarse.Side, std::vector<bool>());
+  }
+  return this->CoarseSearch;
+}
+
+std::shared_ptr<const MeshSmoother> CollectionShape::GetCoarseSmoother() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->CoarseSmoother)
+  {
+    this->CoarseSmoother = DenseMapper::SmootherOf(this->Coarse.Side);
+  }
+  return this->CoarseSmoother;
 }
 }

@@ -8,6 +8,7 @@
 #include "SourceSearch.h"
 
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace marrow
@@ -20,11 +21,19 @@ struct CollectionShape
 
   const AnalyzedMesh& Fine;
   CoarseMesh Coarse;
-  std::shared_ptr<const SourceSearch> FineSearch;
-  std::shared_ptr<const SourceSearch> CoarseSearch;
-  std::shared_ptr<const MeshSmoother> CoarseSmoother;
   /// Of the whole content, 32 hexadecimal digits: shapes of the same key are the same.
   std::string Key;
+
+  /// What maps are made with; made when they are first asked for, on any thread, as pairs from files need none.
+  std::shared_ptr<const SourceSearch> GetFineSearch() const;
+  std::shared_ptr<const SourceSearch> GetCoarseSearch() const;
+  std::shared_ptr<const MeshSmoother> GetCoarseSmoother() const;
+
+private:
+  mutable std::mutex Guard; ///< of all that follow
+  mutable std::shared_ptr<const SourceSearch> FineSearch;
+  mutable std::shared_ptr<const SourceSearch> CoarseSearch;
+  mutable std::shared_ptr<const MeshSmoother> CoarseSmoother;
 };
 }
 

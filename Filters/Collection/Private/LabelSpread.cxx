@@ -18,7 +18,7 @@ namespace
 constexpr int MostOthers = 8;
 
 /// The sources among a shape's tellers, and of the others those that count most.
-std::vector<Teller> ChooseTellers(const CollectionGraph& graph, int shape)
+std::vector<Teller> TellersThatCount(const CollectionGraph& graph, int shape)
 {
   std::vector<std::pair<double, Teller>> others;
   std::vector<Teller> chosen;
@@ -87,12 +87,16 @@ SpreadLabels LabelShape(
 }
 }
 
-bool CarryMaps(CollectionGraph& graph, const Progress& progress)
+void ChooseTellers(CollectionGraph& graph)
 {
   for (int s = 0; s < graph.NumberOfShapes(); ++s)
   {
-    graph.SetTellers(s, ChooseTellers(graph, s));
+    graph.SetTellers(s, TellersThatCount(graph, s));
   }
+}
+
+bool CarryMaps(CollectionGraph& graph, const Progress& progress)
+{
   SharedProgress shared(progress);
   const double share = 1.0 / std::max(graph.NumberOfShapes(), 1);
   ParallelFor(0, graph.NumberOfShapes(),

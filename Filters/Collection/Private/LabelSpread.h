@@ -23,9 +23,11 @@ struct SpreadLabels
   bool IsWholeAlignment = false; ///< with that source
 };
 
-/// Chooses the tellers that a shape of a graph hears at the working resolution, and carries out their maps,
-/// as far as that was not done before: all sources, and the others that count most. False if `progress`
-/// asked to stop.
+/// Leaves each shape of a graph the tellers that it hears at the working resolution: all sources, and the
+/// others that count most.
+void ChooseTellers(CollectionGraph& graph);
+
+/// Carries out the maps of all tellers, as far as that was not done before. False if `progress` asked to stop.
 bool CarryMaps(CollectionGraph& graph, const Progress& progress);
 
 /// Lets the labels spread at the working resolution, and settles each shape's by one cut. Per shape;

@@ -82,7 +82,7 @@ bool ShapePair::FindAnswers(const Progress& progress)
     const CollectionShape& source = *this->Shapes[1 - side];
     const CollectionShape& target = *this->Shapes[side];
     DenseMapper mapper(
-      source.Coarse.Side, target.Coarse.Side, source.CoarseSearch, target.CoarseSmoother);
+      source.Coarse.Side, target.Coarse.Side, source.GetCoarseSearch(), target.GetCoarseSmoother());
     for (std::size_t a = 0; a < tried.size(); ++a)
     {
       const double done = (side + static_cast<double>(a) / tried.size()) / 2.0;
@@ -136,7 +136,7 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
   const AnalyzedMesh& source = this->Shapes[1 - side]->Fine;
   const AnalyzedMesh& target = this->Shapes[side]->Fine;
   const Answer seen = side == 1 ? this->Answers[answer] : Turned(this->Answers[answer]);
-  DenseMapper mapper(source, target, this->Shapes[1 - side]->FineSearch, std::move(smoother));
+  DenseMapper mapper(source, target, this->Shapes[1 - side]->GetFineSearch(), std::move(smoother));
   bool isStopped = false;
   const Progress watched = [&](double fraction)
   {
@@ -184,6 +184,18 @@ void ShapePair::Write(std::ostream& stream) const
 }
 
 bool ShapePair::Read(std::istream& stream)
+{
+  ShapePair read(this->Shapes[0], this->Shapes[1]);
+  if (!read.ReadAll(stream))
+  {
+    return false;
+  }
+  this->Tried = std::move(read.Tried);
+  this->Carried.merge(read.Carried);
+  return true;
+}
+
+bool ShapePair::ReadAll(std::istream& stream)
 {
   const auto readSignature = [&stream]()
   {
@@ -242,13 +254,7 @@ bool ShapePair::Read(std::istream& stream)
     }
     return readSignature() && this->IsSound();
   };
-  const bool isRead = readAll();
-  if (!isRead)
-  {
-    this->Tried.clear();
-    this->Carried.clear();
-  }
-  return isRead;
+  return readAll();
 }
 
 bool ShapePair::IsSound() const

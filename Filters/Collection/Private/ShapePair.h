@@ -70,12 +70,13 @@ public:
     return this->Carried.at({ side, answer });
   }
 
-  /// In the order of bytes of this machine. False if what is read is not of these two shapes; nothing is
-  /// known then.
+  /// In the order of bytes of this machine. What is read is added to what was carried out already. False if it
+  /// is not of these two shapes; nothing is changed then.
   void Write(std::ostream& stream) const;
   bool Read(std::istream& stream);
 
 private:
+  bool ReadAll(std::istream& stream);
   bool MatchAgain(const Progress& progress);
   bool IsSound() const;
 

@@ -43,6 +43,7 @@ inline constexpr const char* SegmentId = "SegmentId";
 inline constexpr const char* SegmentConfidence = "SegmentConfidence";
 inline constexpr const char* SegmentDisagreement = "SegmentDisagreement";
 inline constexpr const char* SegmentShares = "SegmentShares";
+inline constexpr const char* RejectedSegmentId = "RejectedSegmentId";
 
 // On the cells of a mesh that was cut along its segments: as VTK calls it
 inline constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
@@ -53,6 +54,8 @@ inline constexpr const char* MatchingEvidence = "MatchingEvidence";
 inline constexpr const char* MatchingConfidence = "MatchingConfidence";
 inline constexpr const char* MatchedBy = "MatchedBy";
 inline constexpr const char* SegmentShareId = "SegmentShareId";
+inline constexpr const char* RejectedAgainst = "RejectedAgainst";
+inline constexpr const char* RejectedDifference = "RejectedDifference";
 inline constexpr const char* LabellingWeight = "LabellingWeight";
 
 // On the cells of a mesh that was read from a file with such parts

@@ -48,6 +48,7 @@ class Collected(Mesh):
 
 class CollectionParameters(TypedDict, total=False):
     cache_folder: Optional[str]
+    number_of_rejected_answers: Optional[int]
 
 
 def collection(
@@ -69,6 +70,9 @@ def collection(
         The segments of further labelled meshes, by name.
     cache_folder : str or None, default: None
         A folder in which what is found out about pairs of meshes is kept for another run.
+    number_of_rejected_answers : int, default: 0
+        How many of the answers that were not taken are given out, to be looked at, in the cell array
+        "RejectedSegmentId" of each mesh's polydata.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
