@@ -12,6 +12,9 @@
 #include "PairSelection.h"
 #include "SegmentationTransfer.h"
 #include "SideTransfer.h"
+#ifdef MARROW_HAS_DLIB
+#include "SourceLearning.h"
+#endif
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
@@ -33,6 +36,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string>
@@ -56,6 +60,9 @@ struct Leaf
   std::shared_ptr<const marrow::CollectedMesh> Collected;
   int Source = -1; ///< the leaf that counts most for it
   double Against = 0.0;
+  double Learning = 0.0;
+  double HeldOutAccuracy = std::numeric_limits<double>::quiet_NaN();
+  double HeldOutAccuracyLearnt = std::numeric_limits<double>::quiet_NaN();
   double MeanConfidence = 0.0;
   bool IsWholeAlignment = false;
   std::string Note;
@@ -124,18 +131,67 @@ std::vector<ShapeOfLeaf> ShapesOf(const std::vector<Leaf>& leaves)
   return shapes;
 }
 
-std::vector<std::pair<int, int>> SelectPairsOf(const std::vector<ShapeOfLeaf>& shapes)
+/// The leaves whose labels are held back to learn from them.
+std::vector<int> LeavesToHoldOut(const std::vector<ShapeOfLeaf>& shapes)
+{
+#ifdef MARROW_HAS_DLIB
+  std::vector<int> leafOfShape;
+  std::vector<bool> isSource;
+  for (const ShapeOfLeaf& shape : shapes)
+  {
+    leafOfShape.push_back(shape.Leaf);
+    isSource.push_back(!shape.Labels.empty());
+  }
+  return marrow::MeshesToHoldOut(leafOfShape, isSource);
+#else
+  static_cast<void>(shapes);
+  return {};
+#endif
+}
+
+/// Multiplies the shares of the targets by what the leaves that are held out teach.
+void Learn(const marrow::CollectionGraph& graph, const std::vector<int>& heldOut,
+  std::vector<marrow::LabelShares>& shares, std::vector<Leaf>& leaves,
+  const marrow::Progress& progress)
+{
+#ifdef MARROW_HAS_DLIB
+  const marrow::SourceLessons lessons =
+    marrow::LearnFromSources(graph, heldOut, shares, progress);
+  for (Leaf& leaf : leaves)
+  {
+    leaf.Learning = leaf.Mesh && !leaf.IsSource ? lessons.Exponent : 0.0;
+  }
+  for (const marrow::HeldOutAccuracy& accuracy : lessons.HeldOut)
+  {
+    leaves[accuracy.Mesh].HeldOutAccuracy = accuracy.ByVote;
+    leaves[accuracy.Mesh].HeldOutAccuracyLearnt = accuracy.Learnt;
+  }
+#else
+  static_cast<void>(graph);
+  static_cast<void>(heldOut);
+  static_cast<void>(shares);
+  static_cast<void>(leaves);
+  static_cast<void>(progress);
+#endif
+}
+
+/// `heldOut` are leaves that are told something as if they were not labelled.
+std::vector<std::pair<int, int>> SelectPairsOf(
+  const std::vector<ShapeOfLeaf>& shapes, const std::vector<int>& heldOut)
 {
   std::vector<std::vector<double>> sketches;
   std::vector<int> leafOfShape;
   std::vector<bool> isSource;
+  std::vector<bool> isTold;
   for (const ShapeOfLeaf& shape : shapes)
   {
     sketches.push_back(marrow::SketchOf(shape.Shape->Fine.Skeleton));
     leafOfShape.push_back(shape.Leaf);
     isSource.push_back(!shape.Labels.empty());
+    isTold.push_back(!isSource.back() ||
+      std::find(heldOut.begin(), heldOut.end(), shape.Leaf) != heldOut.end());
   }
-  return marrow::SelectPairs(sketches, leafOfShape, isSource);
+  return marrow::SelectPairs(sketches, leafOfShape, isSource, isTold);
 }
 
 void SetMeanConfidence(Leaf& leaf)
@@ -243,6 +299,12 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
   confidence->SetName("Confidence");
   vtkNew<vtkDoubleArray> against;
   against->SetName("Against");
+  vtkNew<vtkDoubleArray> learning;
+  learning->SetName("Learning");
+  vtkNew<vtkDoubleArray> heldOut;
+  heldOut->SetName("HeldOutAccuracy");
+  vtkNew<vtkDoubleArray> heldOutLearnt;
+  heldOutLearnt->SetName("HeldOutAccuracyLearnt");
   vtkNew<vtkStringArray> note;
   note->SetName("Note");
   for (const Leaf& leaf : leaves)
@@ -252,6 +314,9 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
     source->InsertNextValue(leaf.Source >= 0 ? leaves[leaf.Source].Name : "");
     confidence->InsertNextValue(leaf.MeanConfidence);
     against->InsertNextValue(leaf.Against);
+    learning->InsertNextValue(leaf.Learning);
+    heldOut->InsertNextValue(leaf.HeldOutAccuracy);
+    heldOutLearnt->InsertNextValue(leaf.HeldOutAccuracyLearnt);
     note->InsertNextValue(leaf.Note);
   }
   table->Initialize();
@@ -259,7 +324,10 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
     { static_cast<vtkAbstractArray*>(block.Get()), static_cast<vtkAbstractArray*>(isSource.Get()),
       static_cast<vtkAbstractArray*>(source.Get()),
       static_cast<vtkAbstractArray*>(confidence.Get()),
-      static_cast<vtkAbstractArray*>(against.Get()), static_cast<vtkAbstractArray*>(note.Get()) })
+      static_cast<vtkAbstractArray*>(against.Get()),
+      static_cast<vtkAbstractArray*>(learning.Get()), static_cast<vtkAbstractArray*>(heldOut.Get()),
+      static_cast<vtkAbstractArray*>(heldOutLearnt.Get()),
+      static_cast<vtkAbstractArray*>(note.Get()) })
   {
     table->AddColumn(column);
   }
@@ -285,6 +353,30 @@ vtkCollectionTransfer::vtkCollectionTransfer()
 vtkCollectionTransfer::~vtkCollectionTransfer()
 {
   this->SetCacheFolder(nullptr);
+}
+
+bool vtkCollectionTransfer::CanLearn()
+{
+#ifdef MARROW_HAS_DLIB
+  return true;
+#else
+  return false;
+#endif
+}
+
+void vtkCollectionTransfer::SetLearnFromSources(bool learn)
+{
+  const bool isSet = learn && CanLearn();
+  if (learn && !isSet)
+  {
+    vtkErrorMacro(<< "LearnFromSources needs dlib, with which Marrow was not built: install it "
+                     "(libdlib-dev) and build Marrow again.");
+  }
+  if (this->LearnFromSources != isSet)
+  {
+    this->LearnFromSources = isSet;
+    this->Modified();
+  }
 }
 
 int vtkCollectionTransfer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -407,10 +499,12 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const std::vector<ShapeOfLeaf> shapes = ShapesOf(leaves);
+  const std::vector<int> heldOut =
+    this->LearnFromSources ? LeavesToHoldOut(shapes) : std::vector<int>();
   const std::string folder = this->CacheFolder ? this->CacheFolder : "";
   std::vector<marrow::CollectionLink> links;
   std::vector<marrow::CollectedPairs::Ends> ends;
-  for (const auto& [first, second] : SelectPairsOf(shapes))
+  for (const auto& [first, second] : SelectPairsOf(shapes, heldOut))
   {
     marrow::CollectionLink link;
     link.Shapes = { first, second };
@@ -441,7 +535,14 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 1;
   }
-  const bool isCarried = marrow::CarryMaps(graph, marrow::ProgressOf(this, 0.65, 0.95));
+  const double afterMaps = heldOut.empty() ? 0.95 : 0.75; // of the progress
+  const bool isCarried = marrow::CarryMaps(graph, marrow::ProgressOf(this, 0.65, afterMaps));
+  std::vector<marrow::LabelShares> shares;
+  if (isCarried)
+  {
+    shares = marrow::SpreadShares(graph);
+    Learn(graph, heldOut, shares, leaves, marrow::ProgressOf(this, afterMaps, 0.95));
+  }
   if (!folder.empty())
   {
     this->Remembered->Pairs.Save(folder);
@@ -451,7 +552,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<marrow::SpreadLabels> spread =
-    marrow::SpreadOverGraph(graph, marrow::ProgressOf(this, 0.95, 1.0));
+    marrow::LabelShapes(graph, shares, marrow::ProgressOf(this, 0.95, 1.0));
   if (marrow::IsAborted(this))
   {
     return 1;
@@ -496,4 +597,5 @@ void vtkCollectionTransfer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CacheFolder: " << (this->CacheFolder ? this->CacheFolder : "(none)") << "\n";
+  os << indent << "LearnFromSources: " << this->LearnFromSources << "\n";
 }

@@ -104,13 +104,14 @@ double SketchDistance(const std::vector<double>& first, const std::vector<double
 }
 
 std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
-  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource)
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource,
+  const std::vector<bool>& isTold)
 {
   const int n = static_cast<int>(sketches.size());
   std::set<std::pair<int, int>> pairs;
   const auto add = [&](int a, int b)
   {
-    if (meshOfShape[a] != meshOfShape[b] && !(isSource[a] && isSource[b]))
+    if (meshOfShape[a] != meshOfShape[b] && (isTold[a] || isTold[b]))
     {
       pairs.insert({ std::min(a, b), std::max(a, b) });
     }
@@ -129,7 +130,7 @@ std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<doubl
   }
   for (int a = 0; a < n; ++a)
   {
-    if (isSource[a])
+    if (!isTold[a])
     {
       continue;
     }

@@ -22,10 +22,12 @@ inline constexpr int SmallCollection = 24;
 
 /// Which shapes are to be matched with which: pairs of their numbers, the smaller first, ascending. In a
 /// small collection all of different meshes. In a larger one, which then takes time in proportion to the
-/// number of meshes: each shape and the nearest by sketch; each shape that is no source and the nearest
-/// sources; and a spanning tree, so that every shape is reached. Two sources tell each other nothing.
+/// number of meshes: each shape and the nearest by sketch; each shape that is to be told something and the
+/// nearest sources; and a spanning tree, so that every shape is reached. Two shapes neither of which is to be
+/// told anything are not matched.
 std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
-  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource);
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource,
+  const std::vector<bool>& isTold);
 }
 
 #endif
