@@ -364,21 +364,6 @@ bool vtkCollectionTransfer::CanLearn()
 #endif
 }
 
-void vtkCollectionTransfer::SetLearnFromSources(bool learn)
-{
-  const bool isSet = learn && CanLearn();
-  if (learn && !isSet)
-  {
-    vtkErrorMacro(<< "LearnFromSources needs dlib, with which Marrow was not built: install it "
-                     "(libdlib-dev) and build Marrow again.");
-  }
-  if (this->LearnFromSources != isSet)
-  {
-    this->LearnFromSources = isSet;
-    this->Modified();
-  }
-}
-
 int vtkCollectionTransfer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");

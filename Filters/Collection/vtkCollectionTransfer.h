@@ -94,10 +94,9 @@ public:
   ///@{
   /**
    * Whether to learn from the labelled meshes, where there are three or more: it takes some seconds, and the maps
-   * between the labelled meshes. Default on where Marrow was built with dlib (CanLearn), off elsewhere, and then
-   * it cannot be set.
+   * between the labelled meshes. Default on. Without dlib (CanLearn) nothing is learnt.
    */
-  void SetLearnFromSources(bool learn);
+  vtkSetMacro(LearnFromSources, bool);
   vtkGetMacro(LearnFromSources, bool);
   vtkBooleanMacro(LearnFromSources, bool);
   ///@}
@@ -123,7 +122,7 @@ private:
   void operator=(const vtkCollectionTransfer&) = delete;
 
   char* CacheFolder = nullptr;
-  bool LearnFromSources = CanLearn();
+  bool LearnFromSources = true;
 
   struct Memory;
   std::unique_ptr<Memory> Remembered;
