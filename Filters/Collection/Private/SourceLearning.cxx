@@ -30,6 +30,10 @@ constexpr int NumberOfSamples = 2000;
 constexpr std::array<double, 5> Exponents{ 0.25, 0.5, 1.0, 2.0, 4.0 };
 /// How much of the standard error of a gain is taken off it: gains of a few meshes may be luck.
 constexpr double Caution = 0.5;
+/// What a mesh may lose, and what it must reach, when its labels are held back: meshes that are told less are so
+/// unlike the others that what these teach says nothing of further ones.
+constexpr double MostLoss = 0.005;
+constexpr double LeastAccuracy = 0.6;
 /// Part of all shares that is evenly spread, so that no label is out of the question.
 constexpr double EvenPart = 0.02;
 
@@ -208,8 +212,10 @@ std::size_t ChooseExponent(const std::vector<std::vector<double>>& accuracies)
   for (std::size_t e = 1; e <= Exponents.size(); ++e)
   {
     double mean = 0.0;
+    bool isSafe = true;
     for (const std::vector<double>& of : accuracies)
     {
+      isSafe = isSafe && of[e] >= std::max(of[0] - MostLoss, LeastAccuracy);
       mean += (of[e] - of[0]) / size;
     }
     double squares = 0.0;
@@ -218,7 +224,7 @@ std::size_t ChooseExponent(const std::vector<std::vector<double>>& accuracies)
       squares += std::pow(of[e] - of[0] - mean, 2);
     }
     const double cautious = mean - Caution * std::sqrt(squares / (size * (size - 1.0)));
-    if (cautious > most)
+    if (isSafe && cautious > most)
     {
       most = cautious;
       best = e;

@@ -38,8 +38,9 @@ std::vector<int> MeshesToHoldOut(
 /// Of each of the meshes to hold out, which must be linked with other sources, the labels are held back, and
 /// the vote of all others on it is taken as on any target. A forest (LabelForest) learns its labels from the SurfaceFeatures and that vote.
 /// How far it is to be trusted is settled by forests that learn from all but one of them: the exponent is
-/// that for which accuracy on the ones left out gains most, by the mean less half its standard error; if it
-/// gains nothing, nothing is changed. What `progress` stops is left unfinished.
+/// that for which accuracy on the ones left out gains most, by the mean less half its standard error, of those by
+/// which none of them loses half a percent or more and all are told well enough; if there is none, nothing is
+/// changed. What `progress` stops is left unfinished.
 SourceLessons LearnFromSources(const CollectionGraph& graph, const std::vector<int>& meshesToHoldOut,
   std::vector<LabelShares>& ofVertices, const Progress& progress);
 }
