@@ -155,8 +155,7 @@ void Learn(const marrow::CollectionGraph& graph, const std::vector<int>& heldOut
   const marrow::Progress& progress)
 {
 #ifdef MARROW_HAS_DLIB
-  const marrow::SourceLessons lessons =
-    marrow::LearnFromSources(graph, heldOut, shares, progress);
+  const marrow::SourceLessons lessons = marrow::LearnFromSources(graph, heldOut, shares, progress);
   for (Leaf& leaf : leaves)
   {
     leaf.Learning = leaf.Mesh && !leaf.IsSource ? lessons.Exponent : 0.0;
@@ -188,8 +187,8 @@ std::vector<std::pair<int, int>> SelectPairsOf(
     sketches.push_back(marrow::SketchOf(shape.Shape->Fine.Skeleton));
     leafOfShape.push_back(shape.Leaf);
     isSource.push_back(!shape.Labels.empty());
-    isTold.push_back(!isSource.back() ||
-      std::find(heldOut.begin(), heldOut.end(), shape.Leaf) != heldOut.end());
+    isTold.push_back(
+      !isSource.back() || std::find(heldOut.begin(), heldOut.end(), shape.Leaf) != heldOut.end());
   }
   return marrow::SelectPairs(sketches, leafOfShape, isSource, isTold);
 }
@@ -324,8 +323,8 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
     { static_cast<vtkAbstractArray*>(block.Get()), static_cast<vtkAbstractArray*>(isSource.Get()),
       static_cast<vtkAbstractArray*>(source.Get()),
       static_cast<vtkAbstractArray*>(confidence.Get()),
-      static_cast<vtkAbstractArray*>(against.Get()),
-      static_cast<vtkAbstractArray*>(learning.Get()), static_cast<vtkAbstractArray*>(heldOut.Get()),
+      static_cast<vtkAbstractArray*>(against.Get()), static_cast<vtkAbstractArray*>(learning.Get()),
+      static_cast<vtkAbstractArray*>(heldOut.Get()),
       static_cast<vtkAbstractArray*>(heldOutLearnt.Get()),
       static_cast<vtkAbstractArray*>(note.Get()) })
   {

@@ -160,11 +160,11 @@ std::string ToJson(const std::vector<CollectionRow>& rows)
     {
       areas[std::to_string(label)] = area;
     }
-    table.push_back({ { "mesh", row.Name }, { "file", row.File }, { "role", row.Role },
-      { "source", row.Source }, { "confidence", row.Confidence }, { "against", row.Against },
-      { "areas", areas }, { "learning", row.Learning },
-      { "held_out_accuracy", row.HeldOutAccuracy },
-      { "held_out_accuracy_learnt", row.HeldOutAccuracyLearnt }, { "note", row.Note } });
+    table.push_back(
+      { { "mesh", row.Name }, { "file", row.File }, { "role", row.Role }, { "source", row.Source },
+        { "confidence", row.Confidence }, { "against", row.Against }, { "areas", areas },
+        { "learning", row.Learning }, { "held_out_accuracy", row.HeldOutAccuracy },
+        { "held_out_accuracy_learnt", row.HeldOutAccuracyLearnt }, { "note", row.Note } });
   }
   // A name that is no UTF-8 must not end the program.
   return table.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";

@@ -19,8 +19,7 @@ class LabelForest
 {
 public:
   /// `features` has a row for each of `columns`, the column of the shares that is its label.
-  LabelForest(
-    const Eigen::MatrixXf& features, const std::vector<int>& columns, int numberOfLabels);
+  LabelForest(const Eigen::MatrixXf& features, const std::vector<int>& columns, int numberOfLabels);
 
   /// A row for each of `features`; a label that was never seen has none.
   LabelShares Predict(const Eigen::MatrixXf& features) const;

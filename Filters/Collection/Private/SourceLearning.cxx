@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -30,10 +31,11 @@ constexpr int NumberOfSamples = 2000;
 constexpr std::array<double, 5> Exponents{ 0.25, 0.5, 1.0, 2.0, 4.0 };
 /// How much of the standard error of a gain is taken off it: gains of a few meshes may be luck.
 constexpr double Caution = 0.5;
-/// What a mesh may lose, and what it must reach, when its labels are held back: meshes that are told less are so
-/// unlike the others that what these teach says nothing of further ones.
+/// What a mesh may lose when its labels are held back.
 constexpr double MostLoss = 0.005;
-constexpr double LeastAccuracy = 0.6;
+/// What the vote must reach on each of them: meshes that are told less are so unlike one another that what they
+/// teach says nothing of further ones, whatever it gains on them.
+constexpr double LeastByVote = 0.8;
 /// Part of all shares that is evenly spread, so that no label is out of the question.
 constexpr double EvenPart = 0.02;
 
@@ -44,10 +46,12 @@ struct HeldOutShape
   LabelShares Vote;         ///< per vertex
   std::vector<int> Columns; ///< per vertex, of the right label
   Eigen::MatrixXf Features; ///< per vertex, the vote among them
+  std::unique_ptr<const MeshSmoother> Blend;
 };
 struct HeldOutMesh
 {
   int Mesh = -1;
+  double ByVote = 0.0; ///< accuracy
   std::vector<HeldOutShape> Shapes;
 };
 
@@ -78,9 +82,8 @@ std::vector<int> ColumnsOfVertices(const TriangleMesh& mesh, const LabelShares& 
   return columns;
 }
 
-/// Fills all but the features. False if `progress` asked to stop.
-bool HoldOut(
-  const CollectionGraph& graph, int mesh, HeldOutMesh& heldOut, const Progress& progress)
+/// Fills all but the features and the accuracy. False if `progress` asked to stop.
+bool HoldOut(const CollectionGraph& graph, int mesh, HeldOutMesh& heldOut, const Progress& progress)
 {
   CollectionGraph without = graph.WithoutLabelsOf(mesh);
   if (!VoteOnAnswers(without, SubProgress(progress, 0.0, 0.2)) ||
@@ -98,7 +101,7 @@ bool HoldOut(
       heldOut.Shapes.push_back({ s, votes[s],
         ColumnsOfVertices(
           fine.Mesh, SharesOfLabels(graph.GetLabels(s), graph.GetDifferentLabels())),
-        {} });
+        {}, std::make_unique<MeshSmoother>(fine.Mesh, BlendWidth * fine.Diagonal()) });
     }
   }
   return true;
@@ -161,46 +164,57 @@ LabelForest LearnFrom(
 LabelShares Multiplied(const LabelShares& vote, const LabelShares& learnt, double exponent)
 {
   const auto even = static_cast<float>(EvenPart / static_cast<double>(vote.cols()));
-  LabelShares product = (vote.array() + even) *
-    (learnt.array() + even).pow(static_cast<float>(exponent));
+  LabelShares product =
+    (vote.array() + even) * (learnt.array() + even).pow(static_cast<float>(exponent));
   SharpenShares(product, 1.0);
   return product;
 }
 
-/// Per exponent, 0 before all others, the share of the area that gets the right label.
+/// The share of the area that gets the right label by shares of the vertices.
+double AccuracyOf(const CollectionGraph& graph, const HeldOutMesh& mesh,
+  const std::vector<LabelShares>& sharesOfShapes)
+{
+  double right = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < mesh.Shapes.size(); ++i)
+  {
+    const HeldOutShape& shape = mesh.Shapes[i];
+    const TriangleMesh& surface = graph.GetShape(shape.Shape).Fine.Mesh;
+    const std::vector<int>& labels = graph.GetLabels(shape.Shape);
+    const LabelShares ofTriangles = SharesOfTriangles(
+      surface, shape.Blend->Smooth(sharesOfShapes[i].cast<double>()).cast<float>());
+    for (int t = 0; t < surface.NumberOfTriangles(); ++t)
+    {
+      Eigen::Index column = 0;
+      ofTriangles.row(t).maxCoeff(&column);
+      const double area = surface.Area(t);
+      right += graph.GetDifferentLabels()[column] == labels[t] ? area : 0.0;
+      total += area;
+    }
+  }
+  return right / total;
+}
+
+/// Per exponent, 0 before all others.
 std::vector<double> AccuraciesOf(
   const CollectionGraph& graph, const HeldOutMesh& mesh, const LabelForest& forest)
 {
-  std::vector<double> right(1 + Exponents.size(), 0.0);
-  double total = 0.0;
+  std::vector<LabelShares> learnt;
   for (const HeldOutShape& shape : mesh.Shapes)
   {
-    const TriangleMesh& surface = graph.GetShape(shape.Shape).Fine.Mesh;
-    const MeshSmoother blend(surface, BlendWidth * surface.BoundingBoxDiagonal());
-    const LabelShares truth =
-      SharesOfLabels(graph.GetLabels(shape.Shape), graph.GetDifferentLabels());
-    const LabelShares learnt = forest.Predict(shape.Features);
-    const std::vector<double> areas = surface.TriangleAreas();
-    for (std::size_t e = 0; e < right.size(); ++e)
-    {
-      const LabelShares shares =
-        e == 0 ? shape.Vote : Multiplied(shape.Vote, learnt, Exponents[e - 1]);
-      const LabelShares ofTriangles =
-        SharesOfTriangles(surface, blend.Smooth(shares.cast<double>()).cast<float>());
-      for (int t = 0; t < surface.NumberOfTriangles(); ++t)
-      {
-        Eigen::Index column = 0;
-        ofTriangles.row(t).maxCoeff(&column);
-        right[e] += areas[t] * truth(t, column);
-      }
-    }
-    total += std::accumulate(areas.begin(), areas.end(), 0.0);
+    learnt.push_back(forest.Predict(shape.Features));
   }
-  for (double& accuracy : right)
+  std::vector<double> accuracies{ mesh.ByVote };
+  for (const double exponent : Exponents)
   {
-    accuracy /= total;
+    std::vector<LabelShares> products;
+    for (std::size_t i = 0; i < mesh.Shapes.size(); ++i)
+    {
+      products.push_back(Multiplied(mesh.Shapes[i].Vote, learnt[i], exponent));
+    }
+    accuracies.push_back(AccuracyOf(graph, mesh, products));
   }
-  return right;
+  return accuracies;
 }
 
 /// The place of the exponent among the accuracies; 0 if none gains.
@@ -215,7 +229,7 @@ std::size_t ChooseExponent(const std::vector<std::vector<double>>& accuracies)
     bool isSafe = true;
     for (const std::vector<double>& of : accuracies)
     {
-      isSafe = isSafe && of[e] >= std::max(of[0] - MostLoss, LeastAccuracy);
+      isSafe = isSafe && of[e] >= of[0] - MostLoss;
       mean += (of[e] - of[0]) / size;
     }
     double squares = 0.0;
@@ -258,8 +272,9 @@ std::vector<int> MeshesToHoldOut(
   return chosen;
 }
 
-SourceLessons LearnFromSources(const CollectionGraph& graph, const std::vector<int>& meshesToHoldOut,
-  std::vector<LabelShares>& ofVertices, const Progress& progress)
+SourceLessons LearnFromSources(const CollectionGraph& graph,
+  const std::vector<int>& meshesToHoldOut, std::vector<LabelShares>& ofVertices,
+  const Progress& progress)
 {
   SourceLessons lessons;
   if (meshesToHoldOut.empty())
@@ -267,8 +282,8 @@ SourceLessons LearnFromSources(const CollectionGraph& graph, const std::vector<i
     return lessons;
   }
   const auto size = static_cast<double>(meshesToHoldOut.size());
-  constexpr double afterVotes = 0.6; // of the progress
-  constexpr double afterTrials = 0.9;
+  constexpr double afterVotes = 0.6;  // of the progress
+  constexpr double afterTrials = 0.9; // likewise
   std::vector<HeldOutMesh> meshes(meshesToHoldOut.size());
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
@@ -284,12 +299,24 @@ SourceLessons LearnFromSources(const CollectionGraph& graph, const std::vector<i
     {
       for (int i = first; i < last; ++i)
       {
+        std::vector<LabelShares> votes;
         for (HeldOutShape& shape : meshes[i].Shapes)
         {
           shape.Features = FeaturesAndVote(graph.GetShape(shape.Shape).Fine, shape.Vote);
+          votes.push_back(shape.Vote);
         }
+        meshes[i].ByVote = AccuracyOf(graph, meshes[i], votes);
       }
     });
+  for (const HeldOutMesh& mesh : meshes)
+  {
+    lessons.HeldOut.push_back({ mesh.Mesh, mesh.ByVote, mesh.ByVote });
+  }
+  if (std::any_of(meshes.begin(), meshes.end(),
+        [](const HeldOutMesh& mesh) { return mesh.ByVote < LeastByVote; }))
+  {
+    return lessons;
+  }
   std::vector<std::vector<double>> accuracies;
   for (const HeldOutMesh& mesh : meshes)
   {
@@ -303,7 +330,7 @@ SourceLessons LearnFromSources(const CollectionGraph& graph, const std::vector<i
   const std::size_t best = ChooseExponent(accuracies);
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    lessons.HeldOut.push_back({ meshes[i].Mesh, accuracies[i][0], accuracies[i][best] });
+    lessons.HeldOut[i].Learnt = accuracies[i][best];
   }
   if (best == 0)
   {

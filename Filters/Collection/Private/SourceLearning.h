@@ -39,10 +39,11 @@ std::vector<int> MeshesToHoldOut(
 /// the vote of all others on it is taken as on any target. A forest (LabelForest) learns its labels from the SurfaceFeatures and that vote.
 /// How far it is to be trusted is settled by forests that learn from all but one of them: the exponent is
 /// that for which accuracy on the ones left out gains most, by the mean less half its standard error, of those by
-/// which none of them loses half a percent or more and all are told well enough; if there is none, nothing is
-/// changed. What `progress` stops is left unfinished.
-SourceLessons LearnFromSources(const CollectionGraph& graph, const std::vector<int>& meshesToHoldOut,
-  std::vector<LabelShares>& ofVertices, const Progress& progress);
+/// which none of them loses half a percent or more. If there is none, or if the vote alone does badly on one of
+/// them, nothing is changed. What `progress` stops is left unfinished.
+SourceLessons LearnFromSources(const CollectionGraph& graph,
+  const std::vector<int>& meshesToHoldOut, std::vector<LabelShares>& ofVertices,
+  const Progress& progress);
 }
 
 #endif

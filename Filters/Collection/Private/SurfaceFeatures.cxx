@@ -101,8 +101,8 @@ public:
     {
       const Eigen::Vector3d& point = shape.Mesh.Points[v];
       this->Values.row(v) << point.transpose(), point.x() * point.transpose(),
-        point.y() * point.y(), point.y() * point.z(), point.z() * point.z(),
-        normals[v].transpose(), shape.AGD[v], sizes[v];
+        point.y() * point.y(), point.y() * point.z(), point.z() * point.z(), normals[v].transpose(),
+        shape.AGD[v], sizes[v];
     }
   }
 
@@ -111,7 +111,8 @@ public:
   {
     const double width = scale * shape.Diagonal();
     const Eigen::MatrixXd mean = MeshSmoother(shape.Mesh, width).Smooth(this->Values);
-    const auto placeOf = [&](int v) -> Eigen::Vector3d { return mean.block<1, 3>(v, 0).transpose(); };
+    const auto placeOf = [&](int v) -> Eigen::Vector3d
+    { return mean.block<1, 3>(v, 0).transpose(); };
     columns.Add([&](int v) { return (placeOf(v) - shape.Mesh.Points[v]).dot(normals[v]) / width; });
     std::vector<Eigen::Vector3d> extents;
     for (int v = 0; v < shape.Mesh.NumberOfVertices(); ++v)
