@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   # build; VTK's CMake package also looks for what python3-vtk9 and mpi-default-dev bring
   cmake g++ ninja-build ccache
-  libvtk9-dev python3-vtk9 mpi-default-dev libeigen3-dev libboost-graph-dev libcli11-dev nlohmann-json3-dev
+  libvtk9-dev python3-vtk9 mpi-default-dev libeigen3-dev libboost-graph-dev libdlib-dev libcli11-dev nlohmann-json3-dev
   # the Python package
   python3-numpy
   # tests; what cpack makes Debian packages with

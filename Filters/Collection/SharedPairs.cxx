@@ -86,7 +86,7 @@ bool Summarize(const std::vector<CollectionMember>& members, std::size_t first, 
 }
 
 std::vector<std::pair<int, int>> SelectPairsOf(
-  const std::vector<Summary>& summaries, const std::vector<CollectionMember>& members)
+  const std::vector<Summary>& summaries, const std::vector<CollectionMember>& members, bool learns)
 {
   std::vector<std::vector<double>> sketches;
   std::vector<int> memberOfShape;
@@ -97,15 +97,24 @@ std::vector<std::pair<int, int>> SelectPairsOf(
     memberOfShape.push_back(summary.Member);
     isSource.push_back(members[summary.Member].IsSource);
   }
-  return SelectPairs(sketches, memberOfShape, isSource);
+  const std::vector<int> heldOut =
+    learns ? MeshesToHoldOut(memberOfShape, isSource) : std::vector<int>();
+  std::vector<bool> isTold;
+  for (const Summary& summary : summaries)
+  {
+    isTold.push_back(!members[summary.Member].IsSource ||
+      std::find(heldOut.begin(), heldOut.end(), summary.Member) != heldOut.end());
+  }
+  return SelectPairs(sketches, memberOfShape, isSource, isTold);
 }
 }
 
-SharedPairs::SharedPairs(
-  vtkMultiProcessController* controller, std::vector<CollectionMember> members, std::string folder)
+SharedPairs::SharedPairs(vtkMultiProcessController* controller,
+  std::vector<CollectionMember> members, std::string folder, bool learns)
   : Controller(controller)
   , Members(std::move(members))
   , Folder(std::move(folder))
+  , Learns(learns)
 {
   if (controller)
   {
@@ -157,8 +166,9 @@ bool SharedPairs::MatchPairs(const Progress& progress)
     [](const Summary& a, const Summary& b)
     { return std::tie(a.Key, a.Member, a.Body) < std::tie(b.Key, b.Member, b.Body); });
   isDone = this->IsDoneByAll(isDone);
-  const std::vector<std::pair<int, int>> selected =
-    isDone ? SelectPairsOf(summaries, this->Members) : std::vector<std::pair<int, int>>();
+  const std::vector<std::pair<int, int>> selected = isDone
+    ? SelectPairsOf(summaries, this->Members, this->Learns)
+    : std::vector<std::pair<int, int>>();
   const auto [first, last] = this->ShareOf(selected.size());
   PairBatch batch(this->Members, this->Folder);
   for (std::size_t start = first; isDone && start < last; start += BatchSize)

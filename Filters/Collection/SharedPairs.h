@@ -22,8 +22,9 @@ namespace marrow
 class SharedPairs
 {
 public:
+  /// `learns`: labelled meshes are held out too (MeshesToHoldOut), and matched as what is to be labelled.
   SharedPairs(vtkMultiProcessController* controller, std::vector<CollectionMember> members,
-    std::string folder);
+    std::string folder, bool learns);
   /// Lets the other processes go on if the first never came to CarryMaps.
   ~SharedPairs();
   SharedPairs(const SharedPairs&) = delete;
@@ -47,6 +48,7 @@ private:
   vtkMultiProcessController* Controller;
   std::vector<CollectionMember> Members;
   std::string Folder;
+  bool Learns;
   int Rank = 0;
   int Size = 1;
   bool IsAwaited = false; ///< by others, in CarryMaps

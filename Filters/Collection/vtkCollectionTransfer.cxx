@@ -14,6 +14,9 @@
 #include "SegmentationTransfer.h"
 #include "SharedPairs.h"
 #include "SideTransfer.h"
+#ifdef MARROW_HAS_DLIB
+#include "SourceLearning.h"
+#endif
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
@@ -37,6 +40,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string>
@@ -63,6 +67,9 @@ struct Leaf
   std::shared_ptr<const marrow::CollectedMesh> Collected;
   int Source = -1; ///< the leaf that counts most for it
   double Against = 0.0;
+  double Learning = 0.0;
+  double HeldOutAccuracy = std::numeric_limits<double>::quiet_NaN();
+  double HeldOutAccuracyLearnt = std::numeric_limits<double>::quiet_NaN();
   double MeanConfidence = 0.0;
   bool IsWholeAlignment = false;
   std::vector<marrow::RejectedAnswer> Rejected; ///< Labels per cell
@@ -132,18 +139,61 @@ std::vector<ShapeOfLeaf> ShapesOf(const std::vector<Leaf>& leaves)
   return shapes;
 }
 
-std::vector<std::pair<int, int>> SelectPairsOf(const std::vector<ShapeOfLeaf>& shapes)
+/// The leaves whose labels are held back to learn from them.
+std::vector<int> LeavesToHoldOut(const std::vector<ShapeOfLeaf>& shapes)
+{
+  std::vector<int> leafOfShape;
+  std::vector<bool> isSource;
+  for (const ShapeOfLeaf& shape : shapes)
+  {
+    leafOfShape.push_back(shape.Leaf);
+    isSource.push_back(!shape.Labels.empty());
+  }
+  return marrow::MeshesToHoldOut(leafOfShape, isSource);
+}
+
+/// Multiplies the shares of the targets by what the leaves that are held out teach.
+void Learn(const marrow::CollectionGraph& graph, const std::vector<int>& heldOut,
+  std::vector<marrow::LabelShares>& shares, std::vector<Leaf>& leaves,
+  const marrow::Progress& progress)
+{
+#ifdef MARROW_HAS_DLIB
+  const marrow::SourceLessons lessons = marrow::LearnFromSources(graph, heldOut, shares, progress);
+  for (Leaf& leaf : leaves)
+  {
+    leaf.Learning = leaf.Mesh && !leaf.IsSource ? lessons.Exponent : 0.0;
+  }
+  for (const marrow::HeldOutAccuracy& accuracy : lessons.HeldOut)
+  {
+    leaves[accuracy.Mesh].HeldOutAccuracy = accuracy.ByVote;
+    leaves[accuracy.Mesh].HeldOutAccuracyLearnt = accuracy.Learnt;
+  }
+#else
+  static_cast<void>(graph);
+  static_cast<void>(heldOut);
+  static_cast<void>(shares);
+  static_cast<void>(leaves);
+  static_cast<void>(progress);
+#endif
+}
+
+/// `heldOut` are leaves that are told something as if they were not labelled.
+std::vector<std::pair<int, int>> SelectPairsOf(
+  const std::vector<ShapeOfLeaf>& shapes, const std::vector<int>& heldOut)
 {
   std::vector<std::vector<double>> sketches;
   std::vector<int> leafOfShape;
   std::vector<bool> isSource;
+  std::vector<bool> isTold;
   for (const ShapeOfLeaf& shape : shapes)
   {
     sketches.push_back(marrow::SketchOf(shape.Shape->Fine.Skeleton));
     leafOfShape.push_back(shape.Leaf);
     isSource.push_back(!shape.Labels.empty());
+    isTold.push_back(
+      !isSource.back() || std::find(heldOut.begin(), heldOut.end(), shape.Leaf) != heldOut.end());
   }
-  return marrow::SelectPairs(sketches, leafOfShape, isSource);
+  return marrow::SelectPairs(sketches, leafOfShape, isSource, isTold);
 }
 
 std::vector<marrow::CollectionMember> MembersOf(
@@ -334,6 +384,12 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
   confidence->SetName("Confidence");
   vtkNew<vtkDoubleArray> against;
   against->SetName("Against");
+  vtkNew<vtkDoubleArray> learning;
+  learning->SetName("Learning");
+  vtkNew<vtkDoubleArray> heldOut;
+  heldOut->SetName("HeldOutAccuracy");
+  vtkNew<vtkDoubleArray> heldOutLearnt;
+  heldOutLearnt->SetName("HeldOutAccuracyLearnt");
   vtkNew<vtkStringArray> note;
   note->SetName("Note");
   for (const Leaf& leaf : leaves)
@@ -343,6 +399,9 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
     source->InsertNextValue(leaf.Source >= 0 ? leaves[leaf.Source].Name : "");
     confidence->InsertNextValue(leaf.MeanConfidence);
     against->InsertNextValue(leaf.Against);
+    learning->InsertNextValue(leaf.Learning);
+    heldOut->InsertNextValue(leaf.HeldOutAccuracy);
+    heldOutLearnt->InsertNextValue(leaf.HeldOutAccuracyLearnt);
     note->InsertNextValue(leaf.Note);
   }
   table->Initialize();
@@ -350,7 +409,10 @@ void WriteTable(const std::vector<Leaf>& leaves, vtkTable* table)
     { static_cast<vtkAbstractArray*>(block.Get()), static_cast<vtkAbstractArray*>(isSource.Get()),
       static_cast<vtkAbstractArray*>(source.Get()),
       static_cast<vtkAbstractArray*>(confidence.Get()),
-      static_cast<vtkAbstractArray*>(against.Get()), static_cast<vtkAbstractArray*>(note.Get()) })
+      static_cast<vtkAbstractArray*>(against.Get()), static_cast<vtkAbstractArray*>(learning.Get()),
+      static_cast<vtkAbstractArray*>(heldOut.Get()),
+      static_cast<vtkAbstractArray*>(heldOutLearnt.Get()),
+      static_cast<vtkAbstractArray*>(note.Get()) })
   {
     table->AddColumn(column);
   }
@@ -376,6 +438,15 @@ vtkCollectionTransfer::vtkCollectionTransfer()
 vtkCollectionTransfer::~vtkCollectionTransfer()
 {
   this->SetCacheFolder(nullptr);
+}
+
+bool vtkCollectionTransfer::CanLearn()
+{
+#ifdef MARROW_HAS_DLIB
+  return true;
+#else
+  return false;
+#endif
 }
 
 int vtkCollectionTransfer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -459,7 +530,8 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     leafOfMesh.push_back(static_cast<int>(l));
   }
   const std::string folder = this->CacheFolder ? this->CacheFolder : "";
-  marrow::SharedPairs shared(this->Controller, MembersOf(leaves, leafOfMesh), folder);
+  const bool learns = this->LearnFromSources && CanLearn();
+  marrow::SharedPairs shared(this->Controller, MembersOf(leaves, leafOfMesh), folder, learns);
   if (shared.IsShared())
   {
     if (folder.empty())
@@ -524,9 +596,10 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const std::vector<ShapeOfLeaf> shapes = ShapesOf(leaves);
+  const std::vector<int> heldOut = learns ? LeavesToHoldOut(shapes) : std::vector<int>();
   std::vector<marrow::CollectionLink> links;
   std::vector<marrow::CollectedPairs::Ends> ends;
-  for (const auto& [first, second] : SelectPairsOf(shapes))
+  for (const auto& [first, second] : SelectPairsOf(shapes, heldOut))
   {
     marrow::CollectionLink link;
     link.Shapes = { first, second };
@@ -566,7 +639,14 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     }
     this->Remembered->Pairs.ReadAgain(folder);
   }
-  const bool isCarried = marrow::CarryMaps(graph, progressOf(0.65, 0.95));
+  const double afterMaps = heldOut.empty() ? 0.95 : 0.75; // of the progress
+  const bool isCarried = marrow::CarryMaps(graph, progressOf(0.65, afterMaps));
+  std::vector<marrow::LabelShares> shares;
+  if (isCarried)
+  {
+    shares = marrow::SpreadShares(graph);
+    Learn(graph, heldOut, shares, leaves, progressOf(afterMaps, 0.95));
+  }
   if (!folder.empty())
   {
     this->Remembered->Pairs.Save(folder);
@@ -576,7 +656,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<marrow::SpreadLabels> spread =
-    marrow::SpreadOverGraph(graph, progressOf(0.95, 1.0));
+    marrow::LabelShapes(graph, shares, progressOf(0.95, 1.0));
   if (marrow::IsAborted(this))
   {
     return 1;
@@ -643,4 +723,5 @@ void vtkCollectionTransfer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CacheFolder: " << (this->CacheFolder ? this->CacheFolder : "(none)") << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "NumberOfRejectedAnswers: " << this->NumberOfRejectedAnswers << "\n";
+  os << indent << "LearnFromSources: " << this->LearnFromSources << "\n";
 }

@@ -23,6 +23,14 @@
  * that count most, and one cut for each mesh settles where the boundaries run: where the shares leave it
  * open, in concave places, the more so the more the labelled meshes' own boundaries do.
  *
+ * With three labelled meshes or more, LearnFromSources also learns from them: a forest of decision trees,
+ * which knows only them and is forgotten afterwards, tells labels by the measures of the surface (AGD, MSP and
+ * its gradient, the dihedral angle, the place along the branch, curvature and extent at several scales) and by
+ * what the vote says. The labels of each of them, of at most eight, are held back in turn, and the power of the
+ * learnt probabilities by which the shares are multiplied is the one that makes the vote on those most
+ * accurate, beyond chance and to the harm of none of them; often none does. Where the vote gets less than 0.8 of one
+ * of them right, they are too unlike one another to learn from.
+ *
  * Equal numbers are equal segments on all labelled meshes. What was found out about meshes and pairs is
  * kept as long as they are the same: if labels are added or corrected, only what depends on labels is
  * computed anew. With CacheFolder it is also kept in files.
@@ -47,7 +55,11 @@
  * - 1, a vtkTable with a row for each leaf in their order: Block (string, its name; "block 3" without one),
  *   IsSource (unsigned char, 1 where it was labelled), Source (string, the labelled mesh that counts most
  *   for it), Confidence (double, mean of SegmentConfidence over the area), Against (double, what speaks
- *   against the answer taken of that source, 0 to 5, good ones below 1), Note (string, what was mended and what went wrong).
+ *   against the answer taken of that source, 0 to 5, good ones below 1), Learning (double, the power of the
+ *   learnt probabilities by which the vote was multiplied; 0: nothing was learnt), HeldOutAccuracy and
+ *   HeldOutAccuracyLearnt (double, of a labelled mesh whose labels were held back the share of its area that the
+ *   vote alone, and with what was learnt from the others, labels as they do; not a number for all others), Note
+ *   (string, what was mended and what went wrong).
  *
  * Errors: no leaf that can be used is labelled; more than 500 different segments; a Controller of several
  * processes without a CacheFolder.
@@ -111,6 +123,21 @@ public:
   vtkGetMacro(NumberOfRejectedAnswers, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether to learn from the labelled meshes, where there are three or more: it takes some seconds, and the maps
+   * between the labelled meshes. Default on. Without dlib (CanLearn) nothing is learnt.
+   */
+  vtkSetMacro(LearnFromSources, bool);
+  vtkGetMacro(LearnFromSources, bool);
+  vtkBooleanMacro(LearnFromSources, bool);
+  ///@}
+
+  /**
+   * Whether Marrow was built with dlib, which learning needs.
+   */
+  static bool CanLearn();
+
 protected:
   vtkCollectionTransfer();
   ~vtkCollectionTransfer() override;
@@ -129,6 +156,7 @@ private:
   char* CacheFolder = nullptr;
   int NumberOfRejectedAnswers = 0;
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool LearnFromSources = true;
 
   struct Memory;
   std::unique_ptr<Memory> Remembered;

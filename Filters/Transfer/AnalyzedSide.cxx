@@ -74,6 +74,7 @@ Skeleton MakeSkeleton(
 /// does not bring it.
 void SetMeasures(const VertexMeasures& measures, AnalyzedMesh& analyzed)
 {
+  analyzed.AGD = measures.AGD;
   analyzed.MSP = measures.MSP;
   const std::vector<Eigen::Vector3d> gradient = measures.MSPGradient.empty()
     ? VertexGradient(analyzed.Mesh, measures.MSP)

@@ -43,7 +43,8 @@ TEST(LabelShares, NothingKnownStaysNothing)
 TEST(PairSelection, SmallCollectionsAreMatchedInFull)
 {
   const std::vector<std::vector<double>> sketches(5, { 1.0 });
-  const auto pairs = SelectPairs(sketches, { 0, 0, 1, 2, 3 }, { false, false, false, true, true });
+  const auto pairs = SelectPairs(sketches, { 0, 0, 1, 2, 3 }, { false, false, false, true, true },
+    { true, true, true, false, false });
   // Not two bodies of one mesh, and not two sources.
   EXPECT_EQ(pairs.size(), 10u - 1u - 1u);
   EXPECT_FALSE(std::count(pairs.begin(), pairs.end(), std::make_pair(0, 1)));
@@ -57,13 +58,15 @@ TEST(PairSelection, LargeCollectionsGrowInProportion)
     std::vector<std::vector<double>> sketches;
     std::vector<int> meshes;
     std::vector<bool> isSource;
+    std::vector<bool> isTold;
     for (int i = 0; i < n; ++i)
     {
       sketches.push_back({ std::fmod(i * 0.6180339887, 1.0), i % 3 == 0 ? 1.0 : 0.0 });
       meshes.push_back(i);
       isSource.push_back(i % 10 == 0);
+      isTold.push_back(!isSource.back());
     }
-    const auto pairs = SelectPairs(sketches, meshes, isSource);
+    const auto pairs = SelectPairs(sketches, meshes, isSource, isTold);
     std::set<int> reached;
     for (const auto& [a, b] : pairs)
     {

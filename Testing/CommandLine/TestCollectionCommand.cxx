@@ -134,6 +134,37 @@ TEST_F(CollectionCommand, LabelsAFolderAndSumsItUp)
   EXPECT_EQ(json[2]["areas"].size(), 7u);
 }
 
+#ifdef MARROW_HAS_DLIB
+TEST_F(CollectionCommand, SaysWhatIsLearntFromThreeLabelledMeshes)
+{
+  this->WriteSegments(2);
+  this->WriteSegments(3);
+  vtkNew<vtkMarrowMeshWriter> target;
+  target->SetInputData(Biped(4));
+  target->SetFileName((this->Folder / "in/biped4.off").c_str());
+  target->Write();
+  EXPECT_EQ(this->Run("in -o out --format seg").ExitCode, 0);
+  const auto json = nlohmann::json::parse(this->Content("out/summary.json"));
+  ASSERT_EQ(json.size(), 4u);
+  for (int row = 0; row < 3; ++row)
+  {
+    EXPECT_GT(json[row]["held_out_accuracy"], 0.8);
+    EXPECT_GE(json[row]["held_out_accuracy_learnt"].get<double>(),
+      json[row]["held_out_accuracy"].get<double>() - 0.005);
+  }
+  EXPECT_TRUE(json[3]["held_out_accuracy"].is_null());
+  EXPECT_GT(this->Accuracy("out/biped4.seg", 4), 0.9);
+
+  EXPECT_EQ(this->Run("in -o alone --format seg --no-learning").ExitCode, 0);
+  const auto alone = nlohmann::json::parse(this->Content("alone/summary.json"));
+  EXPECT_TRUE(alone[0]["held_out_accuracy"].is_null());
+  EXPECT_EQ(alone[3]["learning"], 0.0);
+  EXPECT_NE(this->Content("alone/summary.csv")
+              .find(",learning,held_out_accuracy,held_out_accuracy_learnt,note\n"),
+    std::string::npos);
+}
+#endif
+
 TEST_F(CollectionCommand, AnotherRunTakesWhatIsKnown)
 {
   EXPECT_EQ(this->Run("in -o out").ExitCode, 0);

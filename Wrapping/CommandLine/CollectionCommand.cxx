@@ -61,6 +61,9 @@ CLI::App* CollectionCommand::Declare(CLI::App& marrow)
     ->capture_default_str();
   app->add_option("--labels", this->Labels,
     std::string(files::LabelsHelp) + " (default: the array SegmentId, where it is)");
+  app->add_flag("--no-learning", this->IsVoteAlone,
+    "Label by the vote of the meshes alone; else, with three labelled ones or more, what is learnt "
+    "from them counts as far as it does well on each of them when its labels are held back");
   app->add_option("--report", this->Report,
     "A page (.html) to look through the result, the least sure first; needs an X display");
   app->footer(
@@ -155,6 +158,10 @@ void CollectionCommand::Run(Console& console)
   const std::vector<CollectionEntry> entries = ReadCollection(this->Folder, this->Labels, console);
   vtkNew<vtkCollectionTransfer> transfer;
   transfer->SetController(processes.GetController());
+  if (this->IsVoteAlone)
+  {
+    transfer->LearnFromSourcesOff();
+  }
   if (!processes.IsFirst())
   {
     this->Label(transfer, entries, console);

@@ -31,6 +31,7 @@ private:
   std::string Format = "vtp";
   std::string Labels;
   std::string Report;
+  bool IsVoteAlone = false;
 };
 
 #endif

@@ -46,8 +46,13 @@ std::map<int, double> AreaOfLabels(vtkPolyData* mesh)
   return areas;
 }
 
+/// Empty for what is no number.
 std::string Number(double value)
 {
+  if (std::isnan(value))
+  {
+    return {};
+  }
   char text[32];
   std::snprintf(text, sizeof(text), "%.4f", value);
   return text;
@@ -86,6 +91,9 @@ std::vector<CollectionRow> Summarize(const std::vector<CollectionEntry>& entries
       row.Source = value("Source").ToString();
       row.Confidence = value("Confidence").ToDouble();
       row.Against = value("Against").ToDouble();
+      row.Learning = value("Learning").ToDouble();
+      row.HeldOutAccuracy = value("HeldOutAccuracy").ToDouble();
+      row.HeldOutAccuracyLearnt = value("HeldOutAccuracyLearnt").ToDouble();
       row.Note = value("Note").ToString();
       if (meshes[i])
       {
@@ -125,7 +133,7 @@ std::string ToCsv(const std::vector<CollectionRow>& rows)
   {
     csv += ",area_" + std::to_string(label);
   }
-  csv += ",note\n";
+  csv += ",learning,held_out_accuracy,held_out_accuracy_learnt,note\n";
   for (const CollectionRow& row : rows)
   {
     csv += CsvText(row.Name) + "," + CsvText(row.File) + "," + row.Role + "," +
@@ -135,7 +143,8 @@ std::string ToCsv(const std::vector<CollectionRow>& rows)
       const auto found = row.AreaOfLabel.find(label);
       csv += "," + Number(found == row.AreaOfLabel.end() ? 0.0 : found->second);
     }
-    csv += "," + CsvText(row.Note) + "\n";
+    csv += "," + Number(row.Learning) + "," + Number(row.HeldOutAccuracy) + "," +
+      Number(row.HeldOutAccuracyLearnt) + "," + CsvText(row.Note) + "\n";
   }
   return csv;
 }
@@ -151,9 +160,11 @@ std::string ToJson(const std::vector<CollectionRow>& rows)
     {
       areas[std::to_string(label)] = area;
     }
-    table.push_back({ { "mesh", row.Name }, { "file", row.File }, { "role", row.Role },
-      { "source", row.Source }, { "confidence", row.Confidence }, { "against", row.Against },
-      { "areas", areas }, { "note", row.Note } });
+    table.push_back(
+      { { "mesh", row.Name }, { "file", row.File }, { "role", row.Role }, { "source", row.Source },
+        { "confidence", row.Confidence }, { "against", row.Against }, { "areas", areas },
+        { "learning", row.Learning }, { "held_out_accuracy", row.HeldOutAccuracy },
+        { "held_out_accuracy_learnt", row.HeldOutAccuracyLearnt }, { "note", row.Note } });
   }
   // A name that is no UTF-8 must not end the program.
   return table.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";

@@ -4,6 +4,7 @@
 
 #include "CollectionFolder.h"
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,6 +21,10 @@ struct CollectionRow
   std::string Source; ///< the labelled mesh that counts most for it
   double Confidence = 0.0;
   double Against = 0.0;
+  double Learning = 0.0; ///< the power of what was learnt; 0: nothing
+  /// Of a labelled mesh whose labels were held back, by the vote alone and with what was learnt.
+  double HeldOutAccuracy = std::numeric_limits<double>::quiet_NaN();
+  double HeldOutAccuracyLearnt = std::numeric_limits<double>::quiet_NaN();
   std::map<int, double> AreaOfLabel; ///< of the whole
   std::string Note;
 };

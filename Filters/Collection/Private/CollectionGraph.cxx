@@ -19,9 +19,10 @@ constexpr double WeightOfWholes = 0.5;
 }
 
 CollectionGraph::CollectionGraph(std::vector<const CollectionShape*> shapes,
-  const std::vector<int>& meshOfShape, std::vector<std::vector<int>> labels,
+  std::vector<int> meshOfShape, std::vector<std::vector<int>> labels,
   std::vector<CollectionLink> links)
   : Shapes(std::move(shapes))
+  , MeshOfShape(std::move(meshOfShape))
   , Labels(std::move(labels))
   , DifferentLabels(marrow::DifferentLabels(this->Labels))
   , Links(std::move(links))
@@ -32,6 +33,7 @@ CollectionGraph::CollectionGraph(std::vector<const CollectionShape*> shapes,
   {
     CollectionLink& link = this->Links[l];
     link.Answer = link.Pair->LikeliestAnswer();
+    link.Disagreement = 0.0;
     for (int side = 0; side < 2; ++side)
     {
       ends[link.Shapes[side]].push_back({ static_cast<int>(l), side, link.Shapes[1 - side] });
@@ -41,18 +43,33 @@ CollectionGraph::CollectionGraph(std::vector<const CollectionShape*> shapes,
   {
     if (!this->IsSource(s))
     {
-      this->AddTellers(s, ends[s], meshOfShape);
+      this->AddTellers(s, ends[s]);
     }
   }
 }
 
-void CollectionGraph::AddTellers(
-  int shape, const std::vector<Teller>& ends, const std::vector<int>& meshOfShape)
+CollectionGraph CollectionGraph::WithoutLabelsOf(int mesh) const
+{
+  std::vector<std::vector<int>> labels = this->Labels;
+  for (int s = 0; s < this->NumberOfShapes(); ++s)
+  {
+    if (this->MeshOfShape[s] == mesh)
+    {
+      labels[s].clear();
+    }
+  }
+  CollectionGraph without(this->Shapes, this->MeshOfShape, std::move(labels), this->Links);
+  // So that the columns of the shares stay the same.
+  without.DifferentLabels = this->DifferentLabels;
+  return without;
+}
+
+void CollectionGraph::AddTellers(int shape, const std::vector<Teller>& ends)
 {
   std::map<int, Teller> ofMeshes;
   for (const Teller& end : ends)
   {
-    const auto [entry, isNew] = ofMeshes.insert({ meshOfShape[end.Shape], end });
+    const auto [entry, isNew] = ofMeshes.insert({ this->MeshOfShape[end.Shape], end });
     if (!isNew && this->AnswerOf(end).Cost < this->AnswerOf(entry->second).Cost)
     {
       entry->second = end;
@@ -61,7 +78,7 @@ void CollectionGraph::AddTellers(
   // In the order of the ends, which is that of the contents.
   for (const Teller& end : ends)
   {
-    if (ofMeshes.at(meshOfShape[end.Shape]).Link == end.Link)
+    if (ofMeshes.at(this->MeshOfShape[end.Shape]).Link == end.Link)
     {
       this->Tellers[shape].push_back(end);
     }

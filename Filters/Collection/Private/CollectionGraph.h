@@ -39,7 +39,7 @@ public:
   /// Per shape the mesh of which it is a body, and the labels of its triangles, empty where they are to be
   /// found. Every pair is known. Of the bodies of one mesh a shape hears the one that matches it at the least
   /// cost. The order of shapes and links decides nothing but the order of sums.
-  CollectionGraph(std::vector<const CollectionShape*> shapes, const std::vector<int>& meshOfShape,
+  CollectionGraph(std::vector<const CollectionShape*> shapes, std::vector<int> meshOfShape,
     std::vector<std::vector<int>> labels, std::vector<CollectionLink> links);
 
   int NumberOfShapes() const { return static_cast<int>(this->Shapes.size()); }
@@ -54,6 +54,11 @@ public:
   const std::vector<CollectionLink>& GetLinks() const { return this->Links; }
   /// Who tells a shape; nobody tells a source.
   const std::vector<Teller>& GetTellers(int shape) const { return this->Tellers[shape]; }
+  /// The mesh of which a shape is a body.
+  int MeshOf(int shape) const { return this->MeshOfShape[shape]; }
+  /// The same shapes and links, the answers not voted on yet, with the labels of a mesh forgotten.
+  CollectionGraph WithoutLabelsOf(int mesh) const;
+
   void SetTellers(int shape, std::vector<Teller> tellers);
 
   const TriedAnswer& AnswerOf(const Teller& teller) const
@@ -65,9 +70,10 @@ public:
   double WeightOf(const Teller& teller) const;
 
 private:
-  void AddTellers(int shape, const std::vector<Teller>& ends, const std::vector<int>& meshOfShape);
+  void AddTellers(int shape, const std::vector<Teller>& ends);
 
   std::vector<const CollectionShape*> Shapes;
+  std::vector<int> MeshOfShape;
   std::vector<std::vector<int>> Labels;
   std::vector<int> DifferentLabels;
   std::vector<CollectionLink> Links;

@@ -125,19 +125,17 @@ bool CarryMaps(CollectionGraph& graph, const Progress& progress)
   return shared.Add(0.0);
 }
 
-std::vector<SpreadLabels> SpreadOverGraph(const CollectionGraph& graph, const Progress& progress)
+std::vector<LabelShares> SpreadShares(const CollectionGraph& graph)
 {
   std::vector<LabelShares> ofTriangles(graph.NumberOfShapes());
-  std::vector<LabelHabits> habits(graph.NumberOfShapes());
   for (int s = 0; s < graph.NumberOfShapes(); ++s)
   {
     if (graph.IsSource(s))
     {
       ofTriangles[s] = SharesOfLabels(graph.GetLabels(s), graph.GetDifferentLabels());
-      habits[s].Add(graph.GetShape(s).Fine.Mesh, graph.GetLabels(s), 1.0);
     }
   }
-  const std::vector<LabelShares> ofVertices = SpreadInRounds(
+  return SpreadInRounds(
     graph,
     [&](const Teller& teller)
     {
@@ -146,6 +144,19 @@ std::vector<SpreadLabels> SpreadOverGraph(const CollectionGraph& graph, const Pr
       return ShareLink{ nullptr, &map.FoundTriangles, &map.Certainty };
     },
     [&](int shape) -> const TriangleMesh& { return graph.GetShape(shape).Fine.Mesh; }, ofTriangles);
+}
+
+std::vector<SpreadLabels> LabelShapes(const CollectionGraph& graph,
+  const std::vector<LabelShares>& ofVertices, const Progress& progress)
+{
+  std::vector<LabelHabits> habits(graph.NumberOfShapes());
+  for (int s = 0; s < graph.NumberOfShapes(); ++s)
+  {
+    if (graph.IsSource(s))
+    {
+      habits[s].Add(graph.GetShape(s).Fine.Mesh, graph.GetLabels(s), 1.0);
+    }
+  }
   std::vector<SpreadLabels> result(graph.NumberOfShapes());
   SharedProgress shared(progress);
   ParallelFor(0, graph.NumberOfShapes(),

@@ -3,6 +3,7 @@
 #define marrow_LabelSpread_h
 
 #include "CollectionGraph.h"
+#include "LabelShares.h"
 #include "Progress.h"
 
 #include <vector>
@@ -30,9 +31,14 @@ void ChooseTellers(CollectionGraph& graph);
 /// Carries out the maps of all tellers, as far as that was not done before. False if `progress` asked to stop.
 bool CarryMaps(CollectionGraph& graph, const Progress& progress);
 
-/// Lets the labels spread at the working resolution, and settles each shape's by one cut. Per shape;
-/// nothing for the sources. What `progress` stops is left unfinished.
-std::vector<SpreadLabels> SpreadOverGraph(const CollectionGraph& graph, const Progress& progress);
+/// Lets the labels spread at the working resolution: per shape the shares of its vertices, empty for the
+/// sources.
+std::vector<LabelShares> SpreadShares(const CollectionGraph& graph);
+
+/// Settles the labels of each shape by one cut of the shares of its vertices. Per shape; nothing for the
+/// sources. What `progress` stops is left unfinished.
+std::vector<SpreadLabels> LabelShapes(const CollectionGraph& graph,
+  const std::vector<LabelShares>& ofVertices, const Progress& progress);
 }
 
 #endif

@@ -16,6 +16,10 @@ constexpr std::size_t NumberOfBranches = 12;
 /// As many as a small collection's pairs would be a third of: enough for a vote, and for the spreading
 /// to reach all in two rounds.
 constexpr std::size_t NumberOfNeighbors = SmallCollection / 3;
+/// Of fewer there are not two left to learn from when one is held back.
+constexpr std::size_t LeastSources = 3;
+/// More take longer, and settle it no better.
+constexpr std::size_t MostHeldOut = 8;
 
 /// Prim's algorithm: pairs that join all shapes at the least sum of distances.
 void AddSpanningTree(
@@ -104,13 +108,14 @@ double SketchDistance(const std::vector<double>& first, const std::vector<double
 }
 
 std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
-  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource)
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource,
+  const std::vector<bool>& isTold)
 {
   const int n = static_cast<int>(sketches.size());
   std::set<std::pair<int, int>> pairs;
   const auto add = [&](int a, int b)
   {
-    if (meshOfShape[a] != meshOfShape[b] && !(isSource[a] && isSource[b]))
+    if (meshOfShape[a] != meshOfShape[b] && (isTold[a] || isTold[b]))
     {
       pairs.insert({ std::min(a, b), std::max(a, b) });
     }
@@ -129,7 +134,7 @@ std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<doubl
   }
   for (int a = 0; a < n; ++a)
   {
-    if (isSource[a])
+    if (!isTold[a])
     {
       continue;
     }
@@ -152,5 +157,29 @@ std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<doubl
   }
   AddSpanningTree(sketches, add);
   return { pairs.begin(), pairs.end() };
+}
+
+std::vector<int> MeshesToHoldOut(
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource)
+{
+  std::vector<int> meshes; // in the order of the shapes, which is that of the contents
+  for (std::size_t s = 0; s < meshOfShape.size(); ++s)
+  {
+    if (isSource[s] && std::count(meshes.begin(), meshes.end(), meshOfShape[s]) == 0)
+    {
+      meshes.push_back(meshOfShape[s]);
+    }
+  }
+  if (meshes.size() < LeastSources)
+  {
+    return {};
+  }
+  const std::size_t size = std::min(meshes.size(), MostHeldOut);
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    chosen.push_back(meshes[i * meshes.size() / size]);
+  }
+  return chosen;
 }
 }

@@ -20,12 +20,19 @@ double SketchDistance(const std::vector<double>& first, const std::vector<double
 /// In a collection of at most so many meshes all pairs are worth it.
 inline constexpr int SmallCollection = 24;
 
+/// The labelled meshes, at most eight, that are to be held back to learn from them: none of fewer than three,
+/// and evenly spread ones of many. Per shape the mesh of which it is a body, and whether it is labelled.
+std::vector<int> MeshesToHoldOut(
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource);
+
 /// Which shapes are to be matched with which: pairs of their numbers, the smaller first, ascending. In a
 /// small collection all of different meshes. In a larger one, which then takes time in proportion to the
-/// number of meshes: each shape and the nearest by sketch; each shape that is no source and the nearest
-/// sources; and a spanning tree, so that every shape is reached. Two sources tell each other nothing.
+/// number of meshes: each shape and the nearest by sketch; each shape that is to be told something and the
+/// nearest sources; and a spanning tree, so that every shape is reached. Two shapes neither of which is to be
+/// told anything are not matched.
 std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
-  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource);
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource,
+  const std::vector<bool>& isTold);
 }
 
 #endif

@@ -17,6 +17,7 @@ struct AnalyzedMesh
   TriangleMesh Mesh;
   marrow::Skeleton Skeleton;                ///< φ is filled
   std::vector<int> NodeOfVertex;            ///< no vertex is without a node: see FillNodeOfVertex
+  std::vector<double> AGD;                  ///< per vertex, [0,1] over the mesh
   std::vector<double> MSP;                  ///< per vertex, mesh units
   std::vector<double> GradientMagnitude;    ///< per vertex |∇MSP|
   std::vector<double> DihedralAngle;        ///< per vertex, radians

@@ -3,11 +3,13 @@
 """How accurate vtkCollectionTransfer is with k labelled meshes, with and without unlabelled company.
 
     PYTHONPATH=build/lib/python3/dist-packages measure_collection.py DATA -o result.csv
-        [--category NAME]... [--sources K]... [--sets N]
+        [--category NAME]... [--sources K]... [--sets N] [--company] [--cache FOLDER]
 
 DATA is laid out as for the segmentation benchmark: index.json (per category the ids of its meshes),
 meshes/ID.off, labels/ID.seg. For every category and k, N sets of k labelled meshes are tried, evenly
-spread; all others are labelled from them, together (company) and each alone. A row has the mean label
+spread; all others are labelled from them, together (company) and each alone, by the vote and from three on
+also with what is learnt from the k. --company leaves out those alone, and --cache keeps what is found out about
+pairs, which makes further runs short. A row has the mean label
 accuracy over the area, and how many of the wrong faces are among the tenth that is least sure, over all
 faces of the category. A target's own labels are never seen.
 """
@@ -74,24 +76,35 @@ def score(results, truths, areas):
     return np.mean(accuracies), wrong[tenth].sum() / max(wrong.sum(), 1e-12)
 
 
-def measure(data, ids, counts, sets):
+def collection_transfer(learning, cache):
+    transfer = vtkCollectionTransfer()
+    transfer.SetLearnFromSources(learning)
+    transfer.SetCacheFolder(cache)
+    return transfer
+
+
+def measure(data, ids, options):
     bare = [marrow.read(os.path.join(data, "meshes", f"{i}.off")) for i in ids]
     truths = [np.loadtxt(os.path.join(data, "labels", f"{i}.seg"), dtype=int) for i in ids]
     areas = [areas_of(mesh) for mesh in bare]
     everyone = list(range(len(ids)))
-    together = vtkCollectionTransfer()  # one for all sets: its pairs are matched once
-    for k in counts:
-        for company in (True, False):
-            results = []
-            for sources in source_sets(len(ids), k, sets):
-                targets = [i for i in everyone if i not in sources]
-                if company:
-                    results += label(together, bare, truths, sources, everyone).items()
-                    continue
-                for target in targets:
-                    results += label(vtkCollectionTransfer(), bare, truths, sources,
-                                     sorted([*sources, target])).items()
-            yield k, company, *score(results, truths, areas)
+    together = collection_transfer(False, options.cache)  # one for all sets: its pairs are matched once
+    for k in options.sources or [1, 2, 3, 6, 7]:
+        if k >= len(ids):
+            continue
+        for company in (True,) if options.company else (True, False):
+            for learning in (False, True) if k > 2 and together.CanLearn() else (False,):
+                together.SetLearnFromSources(learning)
+                results = []
+                for sources in source_sets(len(ids), k, options.sets):
+                    targets = [i for i in everyone if i not in sources]
+                    if company:
+                        results += label(together, bare, truths, sources, everyone).items()
+                        continue
+                    for target in targets:
+                        results += label(collection_transfer(learning, options.cache), bare, truths,
+                                         sources, sorted([*sources, target])).items()
+                yield k, company, learning, *score(results, truths, areas)
 
 
 def main():
@@ -101,17 +114,18 @@ def main():
     parser.add_argument("--category", action="append")
     parser.add_argument("--sources", type=int, action="append")
     parser.add_argument("--sets", type=int, default=3)
+    parser.add_argument("--company", action="store_true")
+    parser.add_argument("--cache")
     options = parser.parse_args()
     with open(os.path.join(options.data, "index.json"), encoding="utf-8") as file:
         index = json.load(file)
     with open(options.output, "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
-        table.writerow(["category", "sources", "company", "accuracy", "wrong_in_least_sure_tenth"])
+        table.writerow(["category", "sources", "company", "learning", "accuracy", "wrong_in_least_sure_tenth"])
         for category in options.category or index:
             ids = index[category]["ids"]
-            counts = [k for k in options.sources or [1, 2, 3, 6, 7] if k < len(ids)]
-            for k, company, accuracy, found in measure(options.data, ids, counts, options.sets):
-                row = [category, k, int(company), f"{accuracy:.4f}", f"{found:.3f}"]
+            for k, company, learning, accuracy, found in measure(options.data, ids, options):
+                row = [category, k, int(company), int(learning), f"{accuracy:.4f}", f"{found:.3f}"]
                 table.writerow(row)
                 file.flush()
                 print(*row, file=sys.stderr)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isnan
 from typing import Iterator, List, Mapping, Optional, Sequence, Tuple, TypedDict, Union, Unpack
 
 from vtkmodules.vtkCommonDataModel import (
@@ -39,6 +40,12 @@ class Collected(Mesh):
     remark: str
     """What was mended and what went wrong, in words."""
 
+    learning: float
+    """The power of what was learnt from the labelled meshes by which the vote was multiplied; 0: nothing."""
+
+    held_out_accuracy: Optional[Tuple[float, float]]
+    """Of a labelled mesh whose labels were held back: accuracy of the vote, and with what was learnt."""
+
     @property
     def confidence(self) -> Optional[Array]:
         """(m,) float: how sure each face's segment is, from 0 to 1; None if the mesh could not be used."""
@@ -49,6 +56,7 @@ class Collected(Mesh):
 class CollectionParameters(TypedDict, total=False):
     cache_folder: Optional[str]
     number_of_rejected_answers: Optional[int]
+    learn_from_sources: Optional[bool]
 
 
 def collection(
@@ -73,6 +81,9 @@ def collection(
     number_of_rejected_answers : int, default: 0
         How many of the answers that were not taken are given out, to be looked at, in the cell array
         "RejectedSegmentId" of each mesh's polydata.
+    learn_from_sources : bool, default: True
+        With three labelled meshes or more, learn from them too, as far as that does well on each of them when
+        its labels are held back. Where Marrow was built without dlib nothing is learnt.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
@@ -138,6 +149,10 @@ def _collected(algorithm: vtkCollectionTransfer) -> List[Collected]:
     for row in range(table.GetNumberOfRows()):
         polydata = vtkPolyData()
         polydata.ShallowCopy(blocks.GetBlock(row))
+        held_out = (
+            table.GetValueByName(row, "HeldOutAccuracy").ToDouble(),
+            table.GetValueByName(row, "HeldOutAccuracyLearnt").ToDouble(),
+        )
         result.append(
             Collected(
                 polydata,
@@ -146,6 +161,8 @@ def _collected(algorithm: vtkCollectionTransfer) -> List[Collected]:
                 table.GetValueByName(row, "Source").ToString(),
                 table.GetValueByName(row, "Confidence").ToDouble(),
                 table.GetValueByName(row, "Note").ToString(),
+                table.GetValueByName(row, "Learning").ToDouble(),
+                None if isnan(held_out[0]) else held_out,
             )
         )
     return result
