@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorObserver.h"
 #include "LabelForest.h"
+#include "PairSelection.h"
 #include "SourceLearning.h"
 #include "TestMeshes.h"
 #include "vtkCollectionTransfer.h"
