@@ -17,7 +17,7 @@ namespace marrow
 namespace
 {
 /// What a file of a pair begins with; the number changes with all that the results depend on.
-constexpr const char* Signature = "Marrow pair 2\n";
+constexpr const char* Signature = "Marrow pair 3\n";
 
 template <typename Value>
 void WriteValue(std::ostream& stream, const Value& value)
