@@ -2,8 +2,6 @@
 #include "AnswerChoice.h"
 
 #include "AnswerSearch.h"
-#include "NodePlaces.h"
-#include "SkeletonMap.h"
 #include "WeightedMedian.h"
 
 #include <algorithm>
@@ -81,9 +79,7 @@ std::vector<SurfaceHint> ToCoarse(
 AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, DenseMapper& mapper,
   const Answer& answer, const std::vector<SurfaceHint>& hints)
 {
-  const SkeletonMap skeletonMap(source.Side, target.Side, answer.Match,
-    AlignByProfiles(source.Side, target.Side, answer.Match));
-  DenseMap map = mapper.Map(answer, PlaceNodes(source.Side, target.Side, skeletonMap).OfTarget, {});
+  DenseMap map = mapper.Map(answer, {});
   AnswerTrial trial;
   trial.Against = Judge(source, target, answer, map);
   trial.Against.Hints = answer.CostOfHints + CostOfHints(source.Side, hints, map.FoundTriangles);

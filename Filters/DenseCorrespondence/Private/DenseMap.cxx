@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DenseMap.h"
 
+#include "NodePlaces.h"
 #include "ParallelFor.h"
 #include "SlicePlaces.h"
 #include "WholeAlignment.h"
@@ -232,22 +233,38 @@ DenseMap DenseMapper::StartAsWhole()
   return map;
 }
 
+DenseMap DenseMapper::Map(const Answer& answer, const Progress& progress)
+{
+  // Slices know nothing of nodes.
+  if (answer.IsEmpty() || answer.Slices)
+  {
+    return this->Map(answer, {}, progress);
+  }
+  const SkeletonMap skeletonMap(this->Source, this->Target, answer.Match,
+    AlignByProfiles(this->Source, this->Target, answer.Match));
+  return this->Map(answer, PlaceNodes(this->Source, this->Target, skeletonMap).OfTarget, progress);
+}
+
 DenseMap DenseMapper::Map(
   const Answer& answer, const std::vector<SkeletonMap::Place>& places, const Progress& progress)
 {
-  DenseMap map;
-  if (answer.Slices)
+  const auto start = [&]()
   {
-    map = this->StartBySlices(*answer.Slices);
-  }
-  else if (!answer.IsEmpty())
-  {
-    map = this->StartBySkeletons(places);
-  }
-  if (answer.IsEmpty() || (!answer.Slices && this->IsWholeBetter(map)))
-  {
-    map = this->StartAsWhole();
-  }
+    if (answer.Slices)
+    {
+      return this->StartBySlices(*answer.Slices);
+    }
+    if (!answer.IsEmpty())
+    {
+      DenseMap bySkeletons = this->StartBySkeletons(places);
+      if (!this->IsWholeBetter(bySkeletons))
+      {
+        return bySkeletons;
+      }
+    }
+    return this->StartAsWhole();
+  };
+  DenseMap map = start();
   this->Correct(map, progress);
   return map;
 }

@@ -57,7 +57,9 @@ public:
   /// What smoothes the map over a target.
   static std::shared_ptr<const MeshSmoother> SmootherOf(const AnalyzedMesh& target);
 
-  /// By the answer's slices if it has some, else by its skeletons: `places` are those of the target's nodes.
+  /// By the answer's slices if it has some, else by its skeletons, their chains aligned by their profiles.
+  DenseMap Map(const Answer& answer, const Progress& progress);
+  /// The same with the places of the target's nodes, however the chains were aligned.
   DenseMap Map(
     const Answer& answer, const std::vector<SkeletonMap::Place>& places, const Progress& progress);
 
