@@ -28,7 +28,7 @@ using PairEnds = std::array<std::pair<int, int>, 2>;
 /// Maps that are wanted of one pair.
 struct WantedMaps
 {
-  std::array<std::pair<int, int>, 2> Ends;            ///< of each the member and its body
+  PairEnds Ends;
   std::vector<std::pair<int, std::size_t>> OfAnswers; ///< side and answer, as ShapePair::Carry
 };
 

@@ -99,13 +99,8 @@ std::vector<std::pair<int, int>> SelectPairsOf(
   }
   const std::vector<int> heldOut =
     learns ? MeshesToHoldOut(memberOfShape, isSource) : std::vector<int>();
-  std::vector<bool> isTold;
-  for (const Summary& summary : summaries)
-  {
-    isTold.push_back(!members[summary.Member].IsSource ||
-      std::find(heldOut.begin(), heldOut.end(), summary.Member) != heldOut.end());
-  }
-  return SelectPairs(sketches, memberOfShape, isSource, isTold);
+  return SelectPairs(
+    sketches, memberOfShape, isSource, ShapesToTell(memberOfShape, isSource, heldOut));
 }
 }
 

@@ -182,4 +182,16 @@ std::vector<int> MeshesToHoldOut(
   }
   return chosen;
 }
+
+std::vector<bool> ShapesToTell(const std::vector<int>& meshOfShape,
+  const std::vector<bool>& isSource, const std::vector<int>& heldOutMeshes)
+{
+  std::vector<bool> isTold;
+  for (std::size_t s = 0; s < meshOfShape.size(); ++s)
+  {
+    isTold.push_back(!isSource[s] ||
+      std::find(heldOutMeshes.begin(), heldOutMeshes.end(), meshOfShape[s]) != heldOutMeshes.end());
+  }
+  return isTold;
+}
 }

@@ -25,6 +25,10 @@ inline constexpr int SmallCollection = 24;
 std::vector<int> MeshesToHoldOut(
   const std::vector<int>& meshOfShape, const std::vector<bool>& isSource);
 
+/// Per shape whether it is to be told something: if it is no source, or of a mesh that is held out.
+std::vector<bool> ShapesToTell(const std::vector<int>& meshOfShape,
+  const std::vector<bool>& isSource, const std::vector<int>& heldOutMeshes);
+
 /// Which shapes are to be matched with which: pairs of their numbers, the smaller first, ascending. In a
 /// small collection all of different meshes. In a larger one, which then takes time in proportion to the
 /// number of meshes: each shape and the nearest by sketch; each shape that is to be told something and the
