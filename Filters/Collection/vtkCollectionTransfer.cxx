@@ -139,23 +139,11 @@ std::vector<ShapeOfLeaf> ShapesOf(const std::vector<Leaf>& leaves)
   return shapes;
 }
 
-/// The leaves whose labels are held back to learn from them.
-std::vector<int> LeavesToHoldOut(const std::vector<ShapeOfLeaf>& shapes)
-{
-  std::vector<int> leafOfShape;
-  std::vector<bool> isSource;
-  for (const ShapeOfLeaf& shape : shapes)
-  {
-    leafOfShape.push_back(shape.Leaf);
-    isSource.push_back(!shape.Labels.empty());
-  }
-  return marrow::MeshesToHoldOut(leafOfShape, isSource);
-}
-
 /// Multiplies the shares of the targets by what the leaves that are held out teach.
-void Learn(const marrow::CollectionGraph& graph, const std::vector<int>& heldOut,
-  std::vector<marrow::LabelShares>& shares, std::vector<Leaf>& leaves,
-  const marrow::Progress& progress)
+void Learn([[maybe_unused]] const marrow::CollectionGraph& graph,
+  [[maybe_unused]] const std::vector<int>& heldOut,
+  [[maybe_unused]] std::vector<marrow::LabelShares>& shares,
+  [[maybe_unused]] std::vector<Leaf>& leaves, [[maybe_unused]] const marrow::Progress& progress)
 {
 #ifdef MARROW_HAS_DLIB
   const marrow::SourceLessons lessons = marrow::LearnFromSources(graph, heldOut, shares, progress);
@@ -168,32 +156,25 @@ void Learn(const marrow::CollectionGraph& graph, const std::vector<int>& heldOut
     leaves[accuracy.Mesh].HeldOutAccuracy = accuracy.ByVote;
     leaves[accuracy.Mesh].HeldOutAccuracyLearnt = accuracy.Learnt;
   }
-#else
-  static_cast<void>(graph);
-  static_cast<void>(heldOut);
-  static_cast<void>(shares);
-  static_cast<void>(leaves);
-  static_cast<void>(progress);
 #endif
 }
 
-/// `heldOut` are leaves that are told something as if they were not labelled.
+/// The pairs that are worth matching; and, if it `learns`, the leaves whose labels are to be held back.
 std::vector<std::pair<int, int>> SelectPairsOf(
-  const std::vector<ShapeOfLeaf>& shapes, const std::vector<int>& heldOut)
+  const std::vector<ShapeOfLeaf>& shapes, bool learns, std::vector<int>& heldOut)
 {
   std::vector<std::vector<double>> sketches;
   std::vector<int> leafOfShape;
   std::vector<bool> isSource;
-  std::vector<bool> isTold;
   for (const ShapeOfLeaf& shape : shapes)
   {
     sketches.push_back(marrow::SketchOf(shape.Shape->Fine.Skeleton));
     leafOfShape.push_back(shape.Leaf);
     isSource.push_back(!shape.Labels.empty());
-    isTold.push_back(
-      !isSource.back() || std::find(heldOut.begin(), heldOut.end(), shape.Leaf) != heldOut.end());
   }
-  return marrow::SelectPairs(sketches, leafOfShape, isSource, isTold);
+  heldOut = learns ? marrow::MeshesToHoldOut(leafOfShape, isSource) : std::vector<int>();
+  return marrow::SelectPairs(
+    sketches, leafOfShape, isSource, marrow::ShapesToTell(leafOfShape, isSource, heldOut));
 }
 
 std::vector<marrow::CollectionMember> MembersOf(
@@ -499,8 +480,7 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
     vtkWarningMacro(<< leaf.Name << ": " << warning);
   };
 
-  const char* given = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  const std::string name = given ? given : marrow::names::SegmentId;
+  const std::string name = marrow::NameOfSegments(this);
   std::vector<vtkPolyData*> meshes;
   std::vector<int> leafOfMesh;
   std::set<int> differentLabels;
@@ -596,10 +576,10 @@ int vtkCollectionTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const std::vector<ShapeOfLeaf> shapes = ShapesOf(leaves);
-  const std::vector<int> heldOut = learns ? LeavesToHoldOut(shapes) : std::vector<int>();
+  std::vector<int> heldOut;
   std::vector<marrow::CollectionLink> links;
   std::vector<marrow::CollectedPairs::Ends> ends;
-  for (const auto& [first, second] : SelectPairsOf(shapes, heldOut))
+  for (const auto& [first, second] : SelectPairsOf(shapes, learns, heldOut))
   {
     marrow::CollectionLink link;
     link.Shapes = { first, second };

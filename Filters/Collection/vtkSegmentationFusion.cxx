@@ -138,8 +138,7 @@ int vtkSegmentationFusion::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< error);
     return 0;
   };
-  const char* given = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  const std::string name = given ? given : marrow::names::SegmentId;
+  const std::string name = marrow::NameOfSegments(this);
   std::vector<marrow::Labelling> labellings(inputVector[0]->GetNumberOfInformationObjects());
   for (std::size_t i = 0; i < labellings.size(); ++i)
   {

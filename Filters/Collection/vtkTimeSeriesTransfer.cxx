@@ -163,8 +163,7 @@ bool vtkTimeSeriesTransfer::Label(vtkInformationVector* labelled)
   {
     AddBlock(blocks, vtkPolyData::GetData(labelled, i), "labelled " + std::to_string(i));
   }
-  const char* given = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  const std::string name = given ? given : marrow::names::SegmentId;
+  const std::string name = marrow::NameOfSegments(this);
   bool isAnyLabelled = false;
   for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
   {

@@ -107,9 +107,8 @@ int vtkMarrowSegmentCutter::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   std::vector<int> labels;
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  std::string error = marrow::ReadLabels(input, this->GetInputArrayToProcess(0, inputVector),
-    name ? name : marrow::names::SegmentId, labels);
+  std::string error = marrow::ReadLabels(
+    input, this->GetInputArrayToProcess(0, inputVector), marrow::NameOfSegments(this), labels);
   const marrow::SurfaceOfPolyData faces = marrow::ToPolygonMesh(input);
   if (error.empty())
   {

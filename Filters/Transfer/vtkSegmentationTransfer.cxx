@@ -193,18 +193,17 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   marrow::SideGuidance guidance;
   guidance.AnswerIndex = this->AnswerIndex;
   const auto readLabels = [](const char* side, vtkPolyData* mesh, vtkDataArray* array,
-                            const char* name, std::vector<int>& ofCells)
+                            const std::string& name, std::vector<int>& ofCells)
   {
-    const std::string error =
-      marrow::ReadLabels(mesh, array, name ? name : marrow::names::SegmentId, ofCells);
+    const std::string error = marrow::ReadLabels(mesh, array, name, ofCells);
     return error.empty() ? error : side + (": " + error);
   };
   std::string error = readLabels("Source", sourceMesh, this->GetInputArrayToProcess(0, inputVector),
-    this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()), labels);
+    marrow::NameOfSegments(this), labels);
   if (error.empty() && this->KeepTargetSegments)
   {
     vtkDataArray* own = targetMesh->GetCellData()->GetArray(marrow::names::SegmentId);
-    error = readLabels("Target", targetMesh, own, nullptr, guidance.KeptLabels);
+    error = readLabels("Target", targetMesh, own, marrow::names::SegmentId, guidance.KeptLabels);
   }
   if (error.empty())
   {

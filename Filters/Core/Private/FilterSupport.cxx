@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterSupport.h"
 
+#include "ArrayNames.h"
 #include "VTKVersions.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -21,6 +23,12 @@ bool IsIdleProcess(vtkInformationVector* output, vtkDataSet* input)
   vtkInformation* info = output->GetInformationObject(0);
   return vtkStreamingDemandDrivenPipeline::GetUpdatePiece(info) > 0 &&
     input->GetNumberOfPoints() == 0;
+}
+
+std::string NameOfSegments(vtkAlgorithm* filter)
+{
+  const char* given = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  return given ? given : names::SegmentId;
 }
 
 Progress ProgressOf(vtkAlgorithm* filter, double from, double to)
