@@ -3,7 +3,6 @@
 
 #include "AnswerSearch.h"
 #include "DenseMap.h"
-#include "NodePlaces.h"
 #include "SliceAnswers.h"
 
 #include <algorithm>
@@ -143,9 +142,7 @@ bool ShapePair::Carry(int side, std::size_t answer, std::shared_ptr<const MeshSm
     isStopped = isStopped || !Report(progress, afterMatching + (1.0 - afterMatching) * fraction);
     return !isStopped;
   };
-  const SkeletonMap skeletonMap(
-    source, target, seen.Match, AlignByProfiles(source, target, seen.Match));
-  const DenseMap map = mapper.Map(seen, PlaceNodes(source, target, skeletonMap).OfTarget, watched);
+  const DenseMap map = mapper.Map(seen, watched);
   if (!isStopped)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -204,57 +201,53 @@ bool ShapePair::ReadAll(std::istream& stream)
     return ReadVector(stream, expected.size(), signature) &&
       std::equal(signature.begin(), signature.end(), expected.begin());
   };
-  const auto readAll = [&]()
+  std::uint32_t size = 0;
+  if (!readSignature() || !ReadValue(stream, size) || size < 1 || size > MostAnswers)
   {
-    std::uint32_t size = 0;
-    if (!readSignature() || !ReadValue(stream, size) || size < 1 || size > MostAnswers)
+    return false;
+  }
+  this->Tried.resize(size);
+  for (TriedAnswer& tried : this->Tried)
+  {
+    if (!ReadValue(stream, tried.Cost) || !ReadValue(stream, tried.Confidence) ||
+      !ReadValue(stream, tried.Against))
     {
       return false;
     }
-    this->Tried.resize(size);
-    for (TriedAnswer& tried : this->Tried)
+    for (int side = 0; side < 2; ++side)
     {
-      if (!ReadValue(stream, tried.Cost) || !ReadValue(stream, tried.Confidence) ||
-        !ReadValue(stream, tried.Against))
+      std::uint8_t isWhole = 0;
+      if (!ReadValue(stream, isWhole) ||
+        !ReadVector(
+          stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(), tried.FoundTriangles[side]))
       {
         return false;
       }
-      for (int side = 0; side < 2; ++side)
-      {
-        std::uint8_t isWhole = 0;
-        if (!ReadValue(stream, isWhole) ||
-          !ReadVector(
-            stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(), tried.FoundTriangles[side]))
-        {
-          return false;
-        }
-        tried.IsWholeAlignment[side] = isWhole != 0;
-      }
+      tried.IsWholeAlignment[side] = isWhole != 0;
     }
-    std::uint32_t carried = 0;
-    if (!ReadValue(stream, carried) || carried > 2 * MostAnswers)
+  }
+  std::uint32_t carried = 0;
+  if (!ReadValue(stream, carried) || carried > 2 * MostAnswers)
+  {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < carried; ++i)
+  {
+    std::uint32_t side = 0;
+    std::uint32_t answer = 0;
+    if (!ReadValue(stream, side) || !ReadValue(stream, answer) || side > 1 || answer >= size)
     {
       return false;
     }
-    for (std::uint32_t i = 0; i < carried; ++i)
+    CarriedMap& map = this->Carried[{ static_cast<int>(side), answer }];
+    const std::size_t vertices = this->Shapes[side]->Fine.Mesh.Points.size();
+    if (!ReadVector(stream, vertices, map.FoundTriangles) ||
+      !ReadVector(stream, vertices, map.Certainty))
     {
-      std::uint32_t side = 0;
-      std::uint32_t answer = 0;
-      if (!ReadValue(stream, side) || !ReadValue(stream, answer) || side > 1 || answer >= size)
-      {
-        return false;
-      }
-      CarriedMap& map = this->Carried[{ static_cast<int>(side), answer }];
-      const std::size_t vertices = this->Shapes[side]->Fine.Mesh.Points.size();
-      if (!ReadVector(stream, vertices, map.FoundTriangles) ||
-        !ReadVector(stream, vertices, map.Certainty))
-      {
-        return false;
-      }
+      return false;
     }
-    return readSignature() && this->IsSound();
-  };
-  return readAll();
+  }
+  return readSignature() && this->IsSound();
 }
 
 bool ShapePair::IsSound() const

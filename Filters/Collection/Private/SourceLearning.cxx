@@ -39,9 +39,10 @@ constexpr double EvenPart = 0.02;
 struct HeldOutShape
 {
   int Shape = -1;
-  LabelShares Vote;         ///< per vertex
-  std::vector<int> Columns; ///< per vertex, of the right label
-  Eigen::MatrixXf Features; ///< per vertex, the vote among them
+  std::vector<double> Areas; ///< per vertex
+  LabelShares Vote;          ///< per vertex
+  std::vector<int> Columns;  ///< per vertex, of the right label
+  Eigen::MatrixXf Features;  ///< per vertex, the vote among them
   std::unique_ptr<const MeshSmoother> Blend;
 };
 struct HeldOutMesh
@@ -98,7 +99,7 @@ bool HoldOut(const CollectionGraph& graph, int mesh, HeldOutMesh& heldOut, const
     if (graph.MeshOf(s) == mesh)
     {
       const AnalyzedMesh& fine = graph.GetShape(s).Fine;
-      heldOut.Shapes.push_back({ s, votes[s],
+      heldOut.Shapes.push_back({ s, fine.Mesh.VertexAreas(), votes[s],
         ColumnsOfVertices(
           fine.Mesh, SharesOfLabels(graph.GetLabels(s), graph.GetDifferentLabels())),
         {}, std::make_unique<MeshSmoother>(fine.Mesh, BlendWidth * fine.Diagonal()) });
@@ -108,8 +109,7 @@ bool HoldOut(const CollectionGraph& graph, int mesh, HeldOutMesh& heldOut, const
 }
 
 /// The forest of all held out meshes but one; -1: of all.
-LabelForest LearnFrom(
-  const CollectionGraph& graph, const std::vector<HeldOutMesh>& meshes, int butMesh)
+LabelForest LearnFrom(const std::vector<HeldOutMesh>& meshes, int butMesh, int numberOfLabels)
 {
   std::vector<std::pair<const HeldOutShape*, double>> shapes; // and its part of the area of all
   double numberOfMeshes = 0.0;
@@ -123,8 +123,7 @@ LabelForest LearnFrom(
     double area = 0.0;
     for (const HeldOutShape& shape : mesh.Shapes)
     {
-      const std::vector<double> areas = graph.GetShape(shape.Shape).Fine.Mesh.VertexAreas();
-      shapes.emplace_back(&shape, std::accumulate(areas.begin(), areas.end(), 0.0));
+      shapes.emplace_back(&shape, std::accumulate(shape.Areas.begin(), shape.Areas.end(), 0.0));
       area += shapes.back().second;
     }
     for (std::size_t i = shapes.size() - mesh.Shapes.size(); i < shapes.size(); ++i)
@@ -135,7 +134,7 @@ LabelForest LearnFrom(
   std::vector<std::pair<const HeldOutShape*, int>> samples; // and the vertex
   for (const auto& [shape, part] : shapes)
   {
-    const std::vector<double> areas = graph.GetShape(shape->Shape).Fine.Mesh.VertexAreas();
+    const std::vector<double>& areas = shape->Areas;
     const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
     const int size = static_cast<int>(std::lround(NumberOfSamples * part / numberOfMeshes));
     double sum = 0.0;
@@ -158,7 +157,7 @@ LabelForest LearnFrom(
     features.row(static_cast<Eigen::Index>(i)) = shape->Features.row(vertex);
     columns.push_back(shape->Columns[vertex]);
   }
-  return LabelForest(features, columns, graph.NumberOfLabels());
+  return LabelForest(features, columns, numberOfLabels);
 }
 
 LabelShares Multiplied(const LabelShares& vote, const LabelShares& learnt, double exponent)
@@ -296,7 +295,8 @@ SourceLessons LearnFromSources(const CollectionGraph& graph,
   std::vector<std::vector<double>> accuracies;
   for (const HeldOutMesh& mesh : meshes)
   {
-    accuracies.push_back(AccuraciesOf(graph, mesh, LearnFrom(graph, meshes, mesh.Mesh)));
+    accuracies.push_back(
+      AccuraciesOf(graph, mesh, LearnFrom(meshes, mesh.Mesh, graph.NumberOfLabels())));
     const double done = static_cast<double>(accuracies.size()) / size;
     if (!Report(progress, afterVotes + (afterTrials - afterVotes) * done))
     {
@@ -313,7 +313,7 @@ SourceLessons LearnFromSources(const CollectionGraph& graph,
     return lessons;
   }
   lessons.Exponent = Exponents[best - 1];
-  const LabelForest forest = LearnFrom(graph, meshes, -1);
+  const LabelForest forest = LearnFrom(meshes, -1, graph.NumberOfLabels());
   SharedProgress shared(SubProgress(progress, afterTrials, 1.0));
   ParallelFor(0, graph.NumberOfShapes(),
     [&](int first, int last)

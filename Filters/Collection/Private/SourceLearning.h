@@ -31,8 +31,8 @@ struct SourceLessons
 /// without labels, by what was learnt.
 ///
 /// Of each of the meshes to hold out, which must be linked with other sources, the labels are held back, and
-/// the vote of all others on it is taken as on any target. A forest (LabelForest) learns its labels from the SurfaceFeatures and that vote.
-/// How far it is to be trusted is settled by forests that learn from all but one of them: the exponent is
+/// the vote of all others on it is taken as on any target. A forest (LabelForest) learns its labels from the
+/// SurfaceFeatures and that vote. How far it is to be trusted is settled by forests that learn from all but one of them: the exponent is
 /// that for which accuracy on the ones left out gains most, by the mean less half its standard error, of those by
 /// which none of them loses half a percent or more. If there is none, or if the vote alone does badly on one of
 /// them, nothing is changed. What `progress` stops is left unfinished.
