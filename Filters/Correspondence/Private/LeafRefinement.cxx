@@ -77,7 +77,6 @@ Assignment DescendFrom(const GlobalCost& cost, int targets, Assignment current)
   }
   return current;
 }
-
 }
 
 Assignment TerminalAssignment(

@@ -28,11 +28,12 @@ void FindNearest(const TriangleMesh& mesh, SimplifiedMesh& simplified)
     }
     for (int h = 3 * t; from < 0 && h < 3 * t + 3; ++h)
     {
-      from = mesh.Opposite[h] >= 0 ? triangleOfOld[mesh.Opposite[h] / 3] : -1;
+      from = mesh.Opposite[h] >= 0 ? triangleOfOld[TriangleMesh::TriangleOf(mesh.Opposite[h])] : -1;
     }
     if (from < 0)
     {
-      from = target.Outgoing[simplified.VertexOfOld[mesh.Triangles[t][0]]] / 3;
+      from =
+        TriangleMesh::TriangleOf(target.Outgoing[simplified.VertexOfOld[mesh.Triangles[t][0]]]);
     }
     triangleOfOld[t] = nearestDownhill.Find(mesh.Centroid(t), from);
   }
@@ -44,7 +45,7 @@ void FindNearest(const TriangleMesh& mesh, SimplifiedMesh& simplified)
     {
       continue;
     }
-    for (int corner : target.Triangles[triangleOfOld[mesh.Outgoing[v] / 3]])
+    for (int corner : target.Triangles[triangleOfOld[TriangleMesh::TriangleOf(mesh.Outgoing[v])]])
     {
       if ((target.Points[corner] - mesh.Points[v]).squaredNorm() <
         (target.Points[nearest] - mesh.Points[v]).squaredNorm())

@@ -111,7 +111,8 @@ def transfer(
         With strict_boundaries, vertices whose dihedral angles differ by less are the same feature to the
         snake.
     search_region : float, 0 to 0.2, default: 0.02
-        With strict_boundaries, how far the snake may move a boundary, over the target's longest geodesic distance.
+        With strict_boundaries, how far the snake may move a boundary, over the target's longest geodesic
+        distance.
     progress, progress_bar
         A function that is called with the fraction done; a bar on stderr.
 
