@@ -97,10 +97,7 @@ std::vector<std::pair<int, int>> SelectPairsOf(
     memberOfShape.push_back(summary.Member);
     isSource.push_back(members[summary.Member].IsSource);
   }
-  const std::vector<int> heldOut =
-    learns ? MeshesToHoldOut(memberOfShape, isSource) : std::vector<int>();
-  return SelectPairs(
-    sketches, memberOfShape, isSource, ShapesToTell(memberOfShape, isSource, heldOut));
+  return ChoosePairs(sketches, memberOfShape, isSource, learns).Pairs;
 }
 }
 

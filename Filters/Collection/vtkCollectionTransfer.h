@@ -79,9 +79,17 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSmartPointer.h" // for the controller
 
-#include <memory> // for std::unique_ptr
+#include <functional> // for progress
+#include <memory>     // for std::unique_ptr
+#include <string>     // for the warnings
+#include <vector>     // for the leaves
 
+class vtkDataObjectTree;
 class vtkMultiProcessController;
+namespace marrow
+{
+struct CollectionLeaf;
+}
 
 class MARROWCOLLECTION_EXPORT vtkCollectionTransfer : public vtkDataObjectAlgorithm
 {
@@ -152,6 +160,16 @@ protected:
 private:
   vtkCollectionTransfer(const vtkCollectionTransfer&) = delete;
   void operator=(const vtkCollectionTransfer&) = delete;
+
+  /// The warning, which the leaf's note has too.
+  void Warn(marrow::CollectionLeaf& leaf, const std::string& warning);
+  /// What cannot be used is a mesh no more.
+  void ReadLabels(std::vector<marrow::CollectionLeaf>& leaves);
+  /// False if `progress` asked to stop.
+  bool CollectMeshes(const std::vector<int>& leafOfMesh,
+    std::vector<marrow::CollectionLeaf>& leaves, const std::function<bool(double)>& progress);
+  void WriteLeaves(std::vector<marrow::CollectionLeaf>& leaves, vtkDataObjectTree* input,
+    vtkDataObjectTree* output);
 
   char* CacheFolder = nullptr;
   int NumberOfRejectedAnswers = 0;

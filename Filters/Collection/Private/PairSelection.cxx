@@ -194,4 +194,17 @@ std::vector<bool> ShapesToTell(const std::vector<int>& meshOfShape,
   }
   return isTold;
 }
+
+PairChoice ChoosePairs(const std::vector<std::vector<double>>& sketches,
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource, bool learns)
+{
+  PairChoice choice;
+  if (learns)
+  {
+    choice.HeldOutMeshes = MeshesToHoldOut(meshOfShape, isSource);
+  }
+  choice.Pairs = SelectPairs(
+    sketches, meshOfShape, isSource, ShapesToTell(meshOfShape, isSource, choice.HeldOutMeshes));
+  return choice;
+}
 }

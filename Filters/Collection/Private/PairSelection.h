@@ -37,6 +37,15 @@ std::vector<bool> ShapesToTell(const std::vector<int>& meshOfShape,
 std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<double>>& sketches,
   const std::vector<int>& meshOfShape, const std::vector<bool>& isSource,
   const std::vector<bool>& isTold);
+
+struct PairChoice
+{
+  std::vector<std::pair<int, int>> Pairs; ///< see SelectPairs
+  std::vector<int> HeldOutMeshes;         ///< see MeshesToHoldOut; none if nothing is to be learnt
+};
+/// All of the above.
+PairChoice ChoosePairs(const std::vector<std::vector<double>>& sketches,
+  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource, bool learns);
 }
 
 #endif
