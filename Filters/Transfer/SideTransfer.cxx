@@ -3,7 +3,7 @@
 
 #include "AnswerSearch.h"
 #include "FullResolution.h"
-#include "SliceAnswers.h"
+#include "OtherAnswers.h"
 
 #include <algorithm>
 #include <limits>
@@ -132,7 +132,7 @@ Partner FindPartner(const AnalyzedSide& source, const AnalyzedMesh& target,
     }
     // Nothing matched costs nothing, and is the worst.
     const double cost =
-      answers.front().IsEmpty() ? std::numeric_limits<double>::max() : answers.front().Cost;
+      answers.front().IsWhole() ? std::numeric_limits<double>::max() : answers.front().Cost;
     if (cost < least)
     {
       least = cost;
@@ -191,6 +191,10 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     {
       PreferSlices(source.Bodies[partner.SourceBody], target.Bodies[b], partner.Answers);
     }
+    if (!isGiven)
+    {
+      AddWhole(source.Bodies[partner.SourceBody], target.Bodies[b], partner.Answers);
+    }
     const int numberOfAnswers = static_cast<int>(partner.Answers.size());
     if (guidance.AnswerIndex >= numberOfAnswers)
     {
@@ -216,7 +220,7 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     }
     const Answer& answer = partner.Answers[ofOne.Answer];
     const double area = AreaOf(target.Bodies[b].Mesh);
-    result.Cost += area * answer.CostOfMatch();
+    result.Cost += area * (answer.IsWhole() ? 1.0 : answer.Cost);
     result.Evidence += area * ofOne.Evidence;
     result.AnswerConfidence += area * ofOne.AnswerConfidence;
     wholeArea += area;
@@ -230,10 +234,10 @@ SideTransferResult TransferSide(const AnalyzedSide& source, const AnalyzedSide& 
     result.NumberOfMissingPieces =
       std::max(result.NumberOfMissingPieces, ofOne.NumberOfMissingPieces);
     result.NumberOfUnmetHints += ofOne.NumberOfUnmetHints;
-    result.IsMatched = result.IsMatched && !answer.IsEmpty();
-    result.IsWholeAlignment = result.IsWholeAlignment || ofOne.IsWholeAlignment;
+    result.IsMatched = result.IsMatched && !partner.Answers.front().IsWhole();
+    result.IsWholeAlignment = result.IsWholeAlignment || answer.IsWhole();
     result.MatchedBy.emplace_back(
-      ofOne.IsWholeAlignment ? "whole" : (answer.Slices ? "slices" : "skeletons"));
+      answer.IsWhole() ? "whole" : (answer.Slices ? "slices" : "skeletons"));
     MoveBoundaries(
       std::move(ofOne.Boundaries), source.Surface.Bodies[partner.SourceBody], body, result);
   }

@@ -62,7 +62,7 @@ struct SideTransferResult
   double Cost = 0.0;
   double Evidence = 0.0;              ///< what the surfaces say against the matching, likewise
   double AnswerConfidence = 0.0;      ///< in the matching, likewise; [0,1]
-  bool IsMatched = true;              ///< every body has a matched branch
+  bool IsMatched = true;              ///< skeletons or slices have an answer for every body
   bool IsWholeAlignment = false;      ///< some body is aligned as a whole
   std::vector<std::string> MatchedBy; ///< per body "skeletons", "slices" or "whole"
   int NumberOfUnmetHints = 0;

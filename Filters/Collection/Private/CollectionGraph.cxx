@@ -93,8 +93,7 @@ void CollectionGraph::SetTellers(int shape, std::vector<Teller> tellers)
 double CollectionGraph::WeightOf(const Teller& teller) const
 {
   const TriedAnswer& answer = this->AnswerOf(teller);
-  return WeightOfEvidence(answer.Against) *
-    (answer.IsWholeAlignment[teller.Side] ? WeightOfWholes : 1.0) *
+  return WeightOfEvidence(answer.Against) * (answer.IsWhole ? WeightOfWholes : 1.0) *
     (this->IsSource(teller.Shape) ? WeightOfSources : 1.0);
 }
 

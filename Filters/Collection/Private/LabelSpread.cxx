@@ -74,7 +74,7 @@ SpreadLabels LabelShape(
       most = graph.WeightOf(teller);
       result.Source = teller.Shape;
       result.Against = graph.AnswerOf(teller).Against;
-      result.IsWholeAlignment = graph.AnswerOf(teller).IsWholeAlignment[teller.Side];
+      result.IsWholeAlignment = graph.AnswerOf(teller).IsWhole;
     }
   }
   const double trust = total > 0.0 ? total / (total + WeightOfEvidence(1.0)) : 0.0;

@@ -3,7 +3,7 @@
 
 #include "AnswerSearch.h"
 #include "DenseMap.h"
-#include "SliceAnswers.h"
+#include "OtherAnswers.h"
 
 #include <algorithm>
 #include <istream>
@@ -16,7 +16,7 @@ namespace marrow
 namespace
 {
 /// What a file of a pair begins with; the number changes with all that the results depend on.
-constexpr const char* Signature = "Marrow pair 3\n";
+constexpr const char* Signature = "Marrow pair 4\n";
 
 template <typename Value>
 void WriteValue(std::ostream& stream, const Value& value)
@@ -63,6 +63,7 @@ bool ShapePair::MatchAgain(const Progress& progress)
     if (!this->Answers.empty())
     {
       PreferSlices(this->Shapes[0]->Fine, this->Shapes[1]->Fine, this->Answers);
+      AddWhole(this->Shapes[0]->Fine, this->Shapes[1]->Fine, this->Answers);
     }
   }
   return !this->Answers.empty();
@@ -97,7 +98,7 @@ bool ShapePair::FindAnswers(const Progress& progress)
       tried[a].Against += 0.5 * trial.Against.Sum();
       tried[a].FoundTriangles[side].assign(
         trial.FoundTriangles.begin(), trial.FoundTriangles.end());
-      tried[a].IsWholeAlignment[side] = trial.IsWholeAlignment;
+      tried[a].IsWhole = answer.IsWhole();
     }
   }
   this->Tried = std::move(tried);
@@ -163,11 +164,9 @@ void ShapePair::Write(std::ostream& stream) const
     WriteValue(stream, tried.Cost);
     WriteValue(stream, tried.Confidence);
     WriteValue(stream, tried.Against);
-    for (int side = 0; side < 2; ++side)
-    {
-      WriteValue(stream, static_cast<std::uint8_t>(tried.IsWholeAlignment[side]));
-      WriteVector(stream, tried.FoundTriangles[side]);
-    }
+    WriteValue(stream, static_cast<std::uint8_t>(tried.IsWhole));
+    WriteVector(stream, tried.FoundTriangles[0]);
+    WriteVector(stream, tried.FoundTriangles[1]);
   }
   WriteValue(stream, static_cast<std::uint32_t>(this->Carried.size()));
   for (const auto& [key, map] : this->Carried)
@@ -202,32 +201,31 @@ bool ShapePair::ReadAll(std::istream& stream)
       std::equal(signature.begin(), signature.end(), expected.begin());
   };
   std::uint32_t size = 0;
-  if (!readSignature() || !ReadValue(stream, size) || size < 1 || size > MostAnswers)
+  if (!readSignature() || !ReadValue(stream, size) || size < 1 || size > MostAnswers + 1)
   {
     return false;
   }
   this->Tried.resize(size);
   for (TriedAnswer& tried : this->Tried)
   {
+    std::uint8_t isWhole = 0;
     if (!ReadValue(stream, tried.Cost) || !ReadValue(stream, tried.Confidence) ||
-      !ReadValue(stream, tried.Against))
+      !ReadValue(stream, tried.Against) || !ReadValue(stream, isWhole))
     {
       return false;
     }
+    tried.IsWhole = isWhole != 0;
     for (int side = 0; side < 2; ++side)
     {
-      std::uint8_t isWhole = 0;
-      if (!ReadValue(stream, isWhole) ||
-        !ReadVector(
-          stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(), tried.FoundTriangles[side]))
+      if (!ReadVector(
+            stream, this->Shapes[side]->Coarse.Side.Mesh.Points.size(), tried.FoundTriangles[side]))
       {
         return false;
       }
-      tried.IsWholeAlignment[side] = isWhole != 0;
     }
   }
   std::uint32_t carried = 0;
-  if (!ReadValue(stream, carried) || carried > 2 * MostAnswers)
+  if (!ReadValue(stream, carried) || carried > 2 * size)
   {
     return false;
   }

@@ -28,12 +28,12 @@ struct CarriedMap
 /// the first and by the second shape.
 struct TriedAnswer
 {
-  double Cost = 1.0; ///< by the skeletons; 1 where nothing is matched
+  double Cost = 1.0; ///< the answer's
   double Confidence = 0.0;
   double Against = 0.0; ///< what speaks against it, by the mean of both ways: Evidence's sum
   std::array<std::vector<std::int32_t>, 2>
-    FoundTriangles; ///< per coarse vertex, of the other's coarse mesh
-  std::array<bool, 2> IsWholeAlignment{};
+    FoundTriangles;     ///< per coarse vertex, of the other's coarse mesh
+  bool IsWhole = false; ///< nothing is matched: aligned as wholes
 };
 
 /// Two shapes of a collection and the answers to how they correspond. Nothing of it depends on labels, so
@@ -53,7 +53,7 @@ public:
   bool FindAnswers(const Progress& progress);
   bool IsKnown() const { return !this->Tried.empty(); }
 
-  /// The cheapest first, by the skeletons alone.
+  /// The cheapest first, by the skeletons alone; the one that matches nothing is the last.
   const std::vector<TriedAnswer>& GetAnswers() const { return this->Tried; }
   /// The answer against which least speaks; the cheapest if no other is better by more than noise.
   std::size_t LikeliestAnswer() const;

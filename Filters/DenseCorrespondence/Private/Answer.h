@@ -14,19 +14,20 @@ namespace marrow
 struct Answer
 {
   MatchedSkeletons Match;
-  double Cost = 1.0;        ///< by the skeletons or slices alone, some 0 to 1
+  /// By the skeletons or slices alone, some 0 to 1; that of the answer before it where nothing is matched beside
+  /// others, since skeletons then have no say.
+  double Cost = 1.0;
   double Confidence = 1.0;  ///< [0,1], likewise
   double CostOfHints = 0.0; ///< what it does not keep to of the user's hints, by the skeletons
   bool IsGiven = false;     ///< by the user, with its confidence: not found
   /// Of two surfaces of revolution, where the skeletons are left aside: nothing of them is matched.
   std::optional<SliceAlignment> Slices = std::nullopt;
 
-  bool IsEmpty() const { return this->Match.IsEmpty() && !this->Slices; }
-  /// 1 where nothing is matched, which costs the skeletons nothing.
-  double CostOfMatch() const { return this->IsEmpty() ? 1.0 : this->Cost; }
+  /// Nothing is matched: the meshes are aligned as wholes.
+  bool IsWhole() const { return this->Match.IsEmpty() && !this->Slices; }
 };
 
-/// More are not tried: the right one is hardly ever farther down, and each takes time.
+/// More of skeletons and slices are not tried: the right one is hardly ever farther down, and each takes time.
 inline constexpr std::size_t MostAnswers = 10;
 }
 

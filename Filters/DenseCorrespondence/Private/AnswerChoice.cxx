@@ -22,7 +22,7 @@ Evidence Judge(
   const CoarseMesh& source, const CoarseMesh& target, const Answer& answer, const DenseMap& map)
 {
   Evidence evidence;
-  evidence.Cost = answer.CostOfMatch();
+  evidence.Cost = answer.Cost;
   const std::vector<Eigen::Vector3d> sourceNormals = source.Side.Mesh.VertexNormals();
   std::vector<double> surplus(source.NumberOfPatches, 0.0);
   for (std::size_t v = 0; v < source.Patches.size(); ++v)
@@ -84,7 +84,6 @@ AnswerTrial TryAnswer(const CoarseMesh& source, const CoarseMesh& target, DenseM
   trial.Against = Judge(source, target, answer, map);
   trial.Against.Hints = answer.CostOfHints + CostOfHints(source.Side, hints, map.FoundTriangles);
   trial.FoundTriangles = std::move(map.FoundTriangles);
-  trial.IsWholeAlignment = map.IsWholeAlignment;
   return trial;
 }
 

@@ -16,7 +16,7 @@ namespace marrow
 /// What speaks against an answer.
 struct Evidence
 {
-  double Cost = 1.0;      ///< by the skeletons; 1 where nothing is matched
+  double Cost = 1.0;      ///< the answer's
   double Thickness = 0.0; ///< mean |log of MSP here over MSP there|, sizes aside, at most 1 each
   double Cover = 0.0;     ///< how unevenly the other surface is hit, [0,1]
   double Turned = 0.0;    ///< mean of 1 - cosine of the normals, [0,2]
@@ -33,7 +33,6 @@ struct AnswerTrial
 {
   Evidence Against;
   std::vector<int> FoundTriangles; ///< per vertex of the coarse target, of the coarse source
-  bool IsWholeAlignment = false;   ///< the skeletons were of no use
 };
 
 /// `mapper` is that of the two coarse meshes, and the hints speak of their vertices.

@@ -34,8 +34,13 @@ std::vector<Answer> FindAnswers(const Skeleton& source, const Skeleton& target,
     }
     const CorrespondenceIds ids{ leaf.Source.NodeId, leaf.Target.NodeId, leaf.Source.BranchId,
       leaf.Target.BranchId, OrderOf(leaf.Source), OrderOf(leaf.Target) };
-    answers.push_back(
-      { JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence, leaf.CostOfHints });
+    Answer answer{ JoinChains(source, target, ids), leaf.GlobalCost, leaf.Confidence,
+      leaf.CostOfHints };
+    if (answer.IsWhole())
+    {
+      answer.Cost = 1.0; // To match nothing costs the skeletons little.
+    }
+    answers.push_back(std::move(answer));
   }
   return answers;
 }

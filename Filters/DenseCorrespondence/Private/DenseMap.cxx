@@ -94,19 +94,6 @@ const Eigen::Matrix<double, 3, 4>& DenseMapper::GetAlignment()
   return *this->Alignment;
 }
 
-const DenseMapper::WholeMap& DenseMapper::GetWhole()
-{
-  if (!this->Whole)
-  {
-    this->Whole.emplace();
-    this->Whole->Queries = QueriesAsWhole(
-      this->Target.Mesh, this->GetAlignment(), WholeSearchRadius * this->Source.Diagonal());
-    this->Whole->Found = this->FindAll(this->Whole->Queries, this->Whole->Candidates);
-    this->Whole->Misfit = this->Misfit(this->Whole->Queries, this->Whole->Found);
-  }
-  return *this->Whole;
-}
-
 /// Per vertex the 3 x 4 transformation to the source, flattened to a row, smoothed over the surface.
 Eigen::MatrixXd DenseMapper::SmoothTransforms(const std::vector<SkeletonMap::Place>& places)
 {
@@ -165,22 +152,6 @@ std::vector<int> DenseMapper::FindAll(const std::vector<SourceSearch::Query>& qu
   return found;
 }
 
-/// How badly a map brings the surfaces together: the mean over the target of SourceSearch's misfit, in
-/// twentieths of the source's diagonal.
-double DenseMapper::Misfit(
-  const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const
-{
-  const double scale = std::max(WholeSearchRadius * this->Source.Diagonal(), 1e-300);
-  double sum = 0.0;
-  double total = 0.0;
-  for (std::size_t v = 0; v < queries.size(); ++v)
-  {
-    sum += this->Areas[v] * this->Search->Misfit(queries[v], found[v], scale);
-    total += this->Areas[v];
-  }
-  return total > 0.0 ? sum / total : 1.0;
-}
-
 double DenseMapper::Standoff(const DenseMap& map) const
 {
   double sum = 0.0;
@@ -212,31 +183,20 @@ DenseMap DenseMapper::StartBySkeletons(const std::vector<SkeletonMap::Place>& pl
   return map;
 }
 
-bool DenseMapper::IsWholeBetter(const DenseMap& map)
-{
-  // A correspondence that is wrong brings the surfaces together no better than none.
-  constexpr double goodEnough = 0.2;
-  constexpr double clearlyBetter = 0.85;
-  const double misfit = this->Misfit(map.Places, map.FoundTriangles);
-  return !(misfit < goodEnough || misfit < clearlyBetter * this->GetWhole().Misfit);
-}
-
 DenseMap DenseMapper::StartAsWhole()
 {
-  const WholeMap& whole = this->GetWhole();
   DenseMap map;
-  map.Places = whole.Queries;
-  map.Candidates = whole.Candidates;
-  map.FoundTriangles = whole.Found;
+  map.Places = QueriesAsWhole(
+    this->Target.Mesh, this->GetAlignment(), WholeSearchRadius * this->Source.Diagonal());
+  map.FoundTriangles = this->FindAll(map.Places, map.Candidates);
   map.Certainty.assign(map.Places.size(), 1.0);
-  map.IsWholeAlignment = true;
   return map;
 }
 
 DenseMap DenseMapper::Map(const Answer& answer, const Progress& progress)
 {
   // Slices know nothing of nodes.
-  if (answer.IsEmpty() || answer.Slices)
+  if (answer.IsWhole() || answer.Slices)
   {
     return this->Map(answer, {}, progress);
   }
@@ -248,23 +208,9 @@ DenseMap DenseMapper::Map(const Answer& answer, const Progress& progress)
 DenseMap DenseMapper::Map(
   const Answer& answer, const std::vector<SkeletonMap::Place>& places, const Progress& progress)
 {
-  const auto start = [&]()
-  {
-    if (answer.Slices)
-    {
-      return this->StartBySlices(*answer.Slices);
-    }
-    if (!answer.IsEmpty())
-    {
-      DenseMap bySkeletons = this->StartBySkeletons(places);
-      if (!this->IsWholeBetter(bySkeletons))
-      {
-        return bySkeletons;
-      }
-    }
-    return this->StartAsWhole();
-  };
-  DenseMap map = start();
+  DenseMap map = answer.Slices ? this->StartBySlices(*answer.Slices)
+    : answer.IsWhole()         ? this->StartAsWhole()
+                               : this->StartBySkeletons(places);
   this->Correct(map, progress);
   return map;
 }

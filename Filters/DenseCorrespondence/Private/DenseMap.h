@@ -26,7 +26,6 @@ struct DenseMap
   std::vector<SourceSearch::Candidates> Candidates; ///< per target vertex, near its place
   std::vector<int> FoundTriangles; ///< per target vertex the source's triangle there
   std::vector<double> Certainty;   ///< per target vertex: 1 on matched branches, else less
-  bool IsWholeAlignment = false;   ///< the skeletons were of no use
   /// How far the target stood off the source's surface before the corrections, on average, of the
   /// source's diagonal: how different the shapes are, and so how far the map may be wrong.
   double Standoff = 0.0;
@@ -40,9 +39,7 @@ struct DenseMap
 /// then correct the positions and the search is repeated, a few times: this compensates differences
 /// of shape that the skeleton does not capture (the depth of a chest).
 ///
-/// The target is also aligned as a whole (AlignWhole). That is used instead if no chain is matched,
-/// or if the skeletons bring the surfaces together no better: then they are of no use, as for a bust
-/// or a machine part.
+/// If no chain is matched, the target is aligned as a whole (AlignWhole).
 class DenseMapper
 {
 public:
@@ -69,28 +66,16 @@ public:
     const DenseMap& map, const std::vector<int>& segmentOfTriangle, int numberOfSegments) const;
 
 private:
-  /// The target aligned as a whole, and what its vertices find. Seldom needed, so made when it is.
-  struct WholeMap
-  {
-    std::vector<SourceSearch::Query> Queries;
-    std::vector<SourceSearch::Candidates> Candidates;
-    std::vector<int> Found;
-    double Misfit = 1.0;
-  };
   const Eigen::Matrix<double, 3, 4>& GetAlignment();
-  const WholeMap& GetWhole();
 
   DenseMap StartBySlices(const SliceAlignment& alignment) const;
   DenseMap StartBySkeletons(const std::vector<SkeletonMap::Place>& places);
   DenseMap StartAsWhole();
-  bool IsWholeBetter(const DenseMap& map);
   Eigen::MatrixXd SmoothTransforms(const std::vector<SkeletonMap::Place>& places);
   std::vector<SourceSearch::Query> QueriesBySkeleton(
     const std::vector<SkeletonMap::Place>& places, std::vector<double>& certainty);
   std::vector<int> FindAll(const std::vector<SourceSearch::Query>& queries,
     std::vector<SourceSearch::Candidates>& candidates) const;
-  double Misfit(
-    const std::vector<SourceSearch::Query>& queries, const std::vector<int>& found) const;
   double Standoff(const DenseMap& map) const;
   void Correct(DenseMap& map, const Progress& progress) const;
 
@@ -101,7 +86,6 @@ private:
   std::vector<double> Areas; ///< per target vertex
   std::vector<SurfaceHint> Hints;
   std::optional<Eigen::Matrix<double, 3, 4>> Alignment;
-  std::optional<WholeMap> Whole;
 };
 }
 

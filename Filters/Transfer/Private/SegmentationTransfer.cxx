@@ -106,7 +106,7 @@ const Answer& ChooseAnswer(const AnalyzedMesh& source, const AnalyzedMesh& targe
 {
   const Answer& first = answers.front();
   // What the user gave is not judged.
-  if (first.IsGiven && !first.IsEmpty())
+  if (first.IsGiven && !first.IsWhole())
   {
     result.AnswerConfidence = first.Confidence;
     return first;
@@ -188,7 +188,6 @@ TransferResult TransferSegmentation(const AnalyzedMesh& source, const AnalyzedMe
   {
     return result;
   }
-  result.IsWholeAlignment = map.IsWholeAlignment;
   result.NumberOfUnmetHints = NumberOfUnmetHints(source, guidance.Hints, map.FoundTriangles);
 
   const double width = WidthFor(map);

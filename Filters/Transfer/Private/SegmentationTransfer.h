@@ -41,11 +41,10 @@ struct TransferResult
   std::vector<BoundaryPair> Boundaries;
   std::vector<int> MissingLabels; ///< labels of the source that the target has not got, ascending
   int NumberOfMissingPieces = 0;  ///< pieces of the source without a place on the target
-  bool IsWholeAlignment = false; ///< the skeletons were of no use, the meshes are aligned as wholes
-  std::size_t Answer = 0;        ///< which answer was taken
-  double Evidence = 0.0;         ///< what the surfaces say against it
-  double AnswerConfidence = 0.0; ///< [0,1], in it
-  int NumberOfUnmetHints = 0;    ///< that the answer does not keep to
+  std::size_t Answer = 0;         ///< which answer was taken
+  double Evidence = 0.0;          ///< what the surfaces say against it
+  double AnswerConfidence = 0.0;  ///< [0,1], in it
+  int NumberOfUnmetHints = 0;     ///< that the answer does not keep to
   bool IsAborted = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef marrow_SliceAnswers_h
-#define marrow_SliceAnswers_h
+#ifndef marrow_OtherAnswers_h
+#define marrow_OtherAnswers_h
 
 #include "AnalyzedMesh.h"
 #include "AnswerChoice.h"
@@ -15,6 +15,10 @@ namespace marrow
 /// nothing were matched. At most MostAnswers are kept.
 void PreferSlices(
   const AnalyzedMesh& source, const AnalyzedMesh& target, std::vector<Answer>& answers);
+
+/// Adds the answer that matches nothing, for a bust or a machine part, of which the skeletons say little; not where
+/// there are answers by slices. It costs as much as the first: the surfaces decide.
+void AddWhole(const AnalyzedMesh& source, const AnalyzedMesh& target, std::vector<Answer>& answers);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SliceAnswers.h"
+#include "OtherAnswers.h"
 
 #include <algorithm>
 #include <utility>
@@ -57,5 +57,19 @@ void PreferSlices(
     }
   }
   answers = std::move(all);
+}
+
+void AddWhole(const AnalyzedMesh& source, const AnalyzedMesh& target, std::vector<Answer>& answers)
+{
+  if (std::any_of(answers.begin(), answers.end(),
+        [](const Answer& answer) { return answer.IsWhole() || answer.Slices; }))
+  {
+    return;
+  }
+  Answer whole;
+  whole.Match = NothingMatched(source.Skeleton, target.Skeleton);
+  whole.Cost = answers.front().Cost;
+  whole.Confidence = 0.0;
+  answers.push_back(std::move(whole));
 }
 }
