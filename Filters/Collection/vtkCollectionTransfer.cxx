@@ -441,8 +441,8 @@ void vtkCollectionTransfer::WriteLeaves(
     if (leaf.Mesh && leaf.IsWholeAlignment)
     {
       this->Warn(leaf,
-        "the skeletons bring it and the labelled meshes together no better than their "
-        "principal axes: they are aligned as wholes, and the segments are only as good as "
+        "its surface and those of the labelled meshes fit better as wholes than by their "
+        "skeletons: they are aligned as wholes, and the segments are only as good as "
         "that.");
     }
     if (leaf.Mesh)

@@ -261,8 +261,8 @@ int vtkSegmentationTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   this->DropWhatIsNotCarried(guidance.KeptLabels, result);
   if (result.IsWholeAlignment)
   {
-    vtkWarningMacro(<< (result.IsMatched ? "The matched skeletons bring the surfaces together no "
-                                           "better than their principal axes"
+    vtkWarningMacro(<< (result.IsMatched ? "The surfaces fit better as wholes than by the "
+                                           "matched skeletons"
                                          : "No branch of the skeletons is matched")
                     << ": the meshes are aligned as wholes, and the segments are only as good as "
                        "that.");

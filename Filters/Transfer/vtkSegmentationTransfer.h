@@ -29,9 +29,10 @@
  * ones.
  *
  * Any other segment that lies on branches without a partner is not guessed: its faces join the
- * neighbour and a warning names it. If the skeletons have no matched branch at all, or bring the
- * surfaces together no better than their principal axes do (a bust, a machine part), the meshes are
- * aligned as wholes, with a warning.
+ * neighbour and a warning names it. One more answer matches nothing and aligns the meshes as wholes, by their
+ * principal axes and closest points; it costs as much as the cheapest. If it fits the surfaces better than all
+ * others (a bust, a machine part), or is the only one, it is taken, with a warning. There is none beside answers
+ * by slices, nor where the skeletons bring their correspondence.
  *
  * Skeletons say little of surfaces of revolution (a vase, a cup, a shaft), which are told by their outer wall:
  * over three fifths of the directions from an axis, all along it, it is equally far from it, within 5 %.
