@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnswerChoice.h"
+#include "AnswerSearch.h"
 #include "CoarseMesh.h"
+#include "OtherAnswers.h"
+#include "SliceChain.h"
 #include "TubeShapes.h"
 
 #include <gtest/gtest.h>
@@ -108,16 +111,50 @@ TEST(AnswerChoice, TheSurfacesTellTheThickEndFromTheThin)
   EXPECT_EQ(Choose(source, target, { right, right }), 0u);
 }
 
-TEST(AnswerChoice, NothingMatchedCostsMost)
+TEST(AnswerChoice, TheWholeIsTakenOnlyWhereItFitsClearlyBetter)
+{
+  const Tube source = Horn(1000.0);
+  const Tube target = Horn(1.5);
+  // The same shape: nothing is to be gained.
+  std::vector<Answer> answers{ { MatchEnds(source, source, false), 0.3, 1.0 } };
+  AddWhole(source.Analyzed, source.Analyzed, answers);
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_TRUE(answers[1].IsWhole());
+  EXPECT_EQ(Choose(source, source, answers), 0u);
+  // The skeletons take the thick end for the thin one.
+  answers = { { MatchEnds(source, target, true), 0.3, 1.0 } };
+  AddWhole(source.Analyzed, target.Analyzed, answers);
+  EXPECT_EQ(Choose(source, target, answers), 1u);
+}
+
+TEST(AnswerChoice, TheWholeIsAddedOnceAndNotBesideSlices)
+{
+  Tube tube = MakeTube({});
+  std::vector<Answer> answers{ { MatchEnds(tube, tube, false), 0.3, 1.0, 0.25 } };
+  AddWhole(tube.Analyzed, tube.Analyzed, answers);
+  // Hints that no skeleton can follow must not speak for it.
+  EXPECT_EQ(answers[1].CostOfHints, 0.25);
+  EXPECT_TRUE(std::all_of(answers[1].Match.Ids.SourceNodes.begin(),
+    answers[1].Match.Ids.SourceNodes.end(), [](int id) { return id == -1; }));
+  AddWhole(tube.Analyzed, tube.Analyzed, answers);
+  EXPECT_EQ(answers.size(), 2u);
+
+  tube.Analyzed.Slices = FindSlices(tube.Analyzed.Mesh);
+  ASSERT_TRUE(tube.Analyzed.Slices) << "a tube is a surface of revolution";
+  answers.resize(1);
+  PreferSlices(tube.Analyzed, tube.Analyzed, answers);
+  const std::size_t size = answers.size();
+  AddWhole(tube.Analyzed, tube.Analyzed, answers);
+  EXPECT_EQ(answers.size(), size);
+}
+
+TEST(AnswerChoice, WhereNothingIsMatchedTheCostIsHighest)
 {
   const Tube tube = Horn(4.0);
-  MatchedSkeletons none = MatchEnds(tube, tube, false);
-  none.Chains.clear();
-  none.Ids.SourceNodes.assign(none.Ids.SourceNodes.size(), -1);
-  none.Ids.TargetNodes.assign(none.Ids.TargetNodes.size(), -1);
-  const Answer nothing{ none, 0.0, 0.0 };
-  const Answer all{ MatchEnds(tube, tube, false), 0.5, 1.0 };
-  EXPECT_EQ(Choose(tube, tube, { nothing, all }), 1u);
+  const std::vector<Answer> answers = FindAnswers(Skeleton(), tube.Analyzed.Skeleton, {}, {});
+  ASSERT_FALSE(answers.empty());
+  EXPECT_TRUE(answers.front().IsWhole());
+  EXPECT_EQ(answers.front().Cost, 1.0);
 }
 
 TEST(CoarseMesh, StandsForTheFineMesh)

@@ -68,7 +68,11 @@ void AddWhole(const AnalyzedMesh& source, const AnalyzedMesh& target, std::vecto
   }
   Answer whole;
   whole.Match = NothingMatched(source.Skeleton, target.Skeleton);
-  whole.Cost = answers.front().Cost;
+  /// What is nearly the same shape fits as a whole too, and is better said by skeletons. From 0.05 to 0.1 the accuracy
+  /// on real meshes is the same.
+  constexpr double clearlyBetter = 0.1;
+  whole.Cost = answers.front().Cost + clearlyBetter;
+  whole.CostOfHints = answers.front().CostOfHints;
   whole.Confidence = 0.0;
   answers.push_back(std::move(whole));
 }

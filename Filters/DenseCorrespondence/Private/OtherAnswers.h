@@ -17,7 +17,7 @@ void PreferSlices(
   const AnalyzedMesh& source, const AnalyzedMesh& target, std::vector<Answer>& answers);
 
 /// Adds the answer that matches nothing, for a bust or a machine part, of which the skeletons say little; not where
-/// there are answers by slices. It costs as much as the first: the surfaces decide.
+/// there are answers by slices. It costs hardly more than the first: the surfaces decide.
 void AddWhole(const AnalyzedMesh& source, const AnalyzedMesh& target, std::vector<Answer>& answers);
 }
 
