@@ -190,8 +190,10 @@ TEST_F(MarrowCommand, MeasureReadsEveryFormatAndKeepsTheMesh)
   this->Write<vtkPolyDataWriter>(mesh, "mesh.vtk");
   for (const std::string extension : { "off", "ply", "obj", "stl", "vtp", "vtk" })
   {
-    this->ExpectSuccess("measure mesh." + extension + " -o " + extension + "_out.vtp");
-    const vtkSmartPointer<vtkPolyData> result = this->Read(extension + "_out.vtp");
+    const std::string output = extension + "_out.vtp";
+    this->ExpectSuccess(
+      std::string("measure mesh.").append(extension).append(" -o ").append(output));
+    const vtkSmartPointer<vtkPolyData> result = this->Read(output);
     // STL files repeat every point for each of its triangles: merged, they are as many as before.
     EXPECT_EQ(result->GetNumberOfPoints(), mesh->GetNumberOfPoints()) << extension;
     EXPECT_EQ(result->GetNumberOfCells(), mesh->GetNumberOfCells()) << extension;
@@ -370,9 +372,17 @@ TEST_F(MarrowCommand, TransferWritesSegmentsInEveryFormat)
   for (const auto& [format, labels] : { std::pair<std::string, std::string>{ "ply", "SegmentId" },
          { "obj", "groups" }, { "off", "colors" }, { "vtk", "SegmentId" } })
   {
-    this->ExpectSuccess("transfer source.vtp target.off -o " + format + " --format " + format);
-    const Outcome outcome = this->Run("evaluate target.off --segments " + format + "/target." +
-      format + " --labels " + labels + " --reference target.seg --csv");
+    this->ExpectSuccess(std::string("transfer source.vtp target.off -o ")
+                          .append(format)
+                          .append(" --format ")
+                          .append(format));
+    const Outcome outcome = this->Run(std::string("evaluate target.off --segments ")
+                                        .append(format)
+                                        .append("/target.")
+                                        .append(format)
+                                        .append(" --labels ")
+                                        .append(labels)
+                                        .append(" --reference target.seg --csv"));
     EXPECT_NE(outcome.Out.find("target.seg,0,0,0,0,0,0,0,1,0"), std::string::npos)
       << format << outcome.Out << outcome.Error;
   }

@@ -97,16 +97,17 @@ TEST(Figures, AreAsInTheDocumentation)
     "covering-region", "snake", "transfer", "labels" };
   const std::string folder = MARROW_TEST_OUTPUT;
   std::filesystem::create_directories(folder);
+  const auto pictureOf = [](const std::string& where, const std::string& name)
+  { return where + "/" + name + ".png"; };
   std::string command = std::string(MARROW_EXAMPLES) + "/marrow-figures " + folder + " none";
   for (const std::string& name : names)
   {
-    std::filesystem::remove(folder + "/" + name + ".png");
-    command += " " + name;
+    std::filesystem::remove(pictureOf(folder, name));
+    command.append(" ").append(name);
   }
   RunProgram(command);
   for (const std::string& name : names)
   {
-    ExpectSamePicture(
-      folder + "/" + name + ".png", std::string(MARROW_IMAGES) + "/" + name + ".png");
+    ExpectSamePicture(pictureOf(folder, name), pictureOf(MARROW_IMAGES, name));
   }
 }

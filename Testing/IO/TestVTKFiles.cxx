@@ -32,7 +32,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MixedGrid()
   vtkNew<vtkPoints> points;
   for (int i = 0; i < 9; ++i)
   {
-    points->InsertNextPoint(i % 3, i / 3, 0.0);
+    const int row = i / 3;
+    points->InsertNextPoint(i % 3, row, 0.0);
   }
   grid->SetPoints(points);
   const std::pair<int, Ids> cells[] = { { VTK_LINE, { 0, 1 } }, { VTK_QUAD, { 0, 1, 4, 3 } },

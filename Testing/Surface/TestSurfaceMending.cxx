@@ -251,7 +251,8 @@ TEST(SurfaceMending, SheetsKeepTheSideOfMostOfTheirFaces)
   PolygonMesh mesh;
   for (int i = 0; i < 25; ++i)
   {
-    mesh.Points.push_back({ i % 5 * 1.0, i / 5 * 1.0, 0.0 });
+    const int row = i / 5;
+    mesh.Points.push_back({ i % 5 * 1.0, row * 1.0, 0.0 });
   }
   for (int i = 0; i < 16; ++i)
   {
@@ -351,7 +352,9 @@ TEST(SurfaceMending, SheetsJoinedAtBothEndsOfAnEdgeGetAPointBetween)
   PolygonMesh mesh;
   for (int i = 0; i < 36; ++i)
   {
-    mesh.Points.push_back({ i % 3 * 1.0, i / 3 % 3 * 1.0, i / 9 * 1.0 });
+    const int row = i / 3 % 3;
+    const int layer = i / 9;
+    mesh.Points.push_back({ i % 3 * 1.0, row * 1.0, layer * 1.0 });
   }
   for (const auto& cell : filled)
   {

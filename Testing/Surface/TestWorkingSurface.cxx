@@ -58,7 +58,8 @@ TEST(WorkingSurfaceFilter, TakesPolygonsStripsVerticesAndLines)
   vtkNew<vtkPoints> points;
   for (int i = 0; i < 8; ++i)
   {
-    points->InsertNextPoint(i / 2 == 1 || i / 2 == 2, i / 4, i % 2);
+    const int top = i / 4;
+    points->InsertNextPoint(i / 2 == 1 || i / 2 == 2, top, i % 2);
   }
   vtkNew<vtkPolyData> mesh;
   mesh->SetPoints(points);

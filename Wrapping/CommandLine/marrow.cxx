@@ -16,7 +16,9 @@
 
 #include <iostream>
 
-int main(int argc, char** argv)
+namespace
+{
+int Run(int argc, char** argv)
 {
   CLI::App app{ "Skeleton-driven segmentation transfer between triangle meshes" };
   app.name("marrow");
@@ -51,26 +53,32 @@ int main(int argc, char** argv)
   {
     vtkSMPTools::Initialize(threads);
   }
+  for (const auto& [parsed, command] : commands)
+  {
+    if (*parsed)
+    {
+      command->Run(console);
+    }
+  }
+  // A full disk may show only now.
+  if (!std::cout.flush())
+  {
+    throw CommandError(
+      "The results cannot be written to the standard output: check the space left.");
+  }
+  return EXIT_SUCCESS;
+}
+}
+
+int main(int argc, char** argv)
+{
   try
   {
-    for (const auto& [parsed, command] : commands)
-    {
-      if (*parsed)
-      {
-        command->Run(console);
-      }
-    }
-    // A full disk may show only now.
-    if (!std::cout.flush())
-    {
-      throw CommandError(
-        "The results cannot be written to the standard output: check the space left.");
-    }
+    return Run(argc, argv);
   }
   catch (const std::exception& error)
   {
     Console::ShowError(error);
     return EXIT_FAILURE;
   }
-  return EXIT_SUCCESS;
 }
