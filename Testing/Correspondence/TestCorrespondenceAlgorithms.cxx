@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkeletonShapes.h"
 
+#include "BeamSearch.h"
 #include "BranchAssignment.h"
 #include "BranchClusters.h"
 #include "CorrespondenceTree.h"
@@ -223,6 +224,45 @@ TEST(CorrespondenceAlgorithms, GlobalCostIsLeastForTheSame)
       EXPECT_GT(cost.Total(exchanged), 1e-4) << i << " with " << k;
     }
   }
+}
+
+TEST(CorrespondenceAlgorithms, OthersAreCheapAndUnlikeWhatIsKnown)
+{
+  const Skeleton skeleton = MakeQuadruped().Build();
+  const FeatureGraph graph(skeleton, Pieces);
+  const TerminalPaths paths(graph);
+  const GlobalCost cost(paths, paths);
+  GlobalCost::Assignment same(paths.Size());
+  std::iota(same.begin(), same.end(), 0);
+  const std::vector<GlobalCost::Assignment> found = FindOthers(cost, paths, paths, {});
+  ASSERT_GT(found.size(), 1u);
+  EXPECT_EQ(same, found.front()) << "the cheapest of all";
+
+  std::vector<GlobalCost::Assignment> known{ same };
+  for (const GlobalCost::Assignment& other : FindOthers(cost, paths, paths, known))
+  {
+    EXPECT_GE(cost.Total(other), cost.Total(known.back())) << "the cheapest first";
+    std::vector<bool> isTaken(paths.Size(), false);
+    for (const int target : other)
+    {
+      if (target >= 0)
+      {
+        EXPECT_FALSE(isTaken[target]) << "matched twice";
+        isTaken[target] = true;
+      }
+    }
+    for (const GlobalCost::Assignment& before : known)
+    {
+      double difference = 0.0;
+      for (int i = 0; i < paths.Size(); ++i)
+      {
+        difference += other[i] != before[i] ? paths.Weight(i) : 0.0;
+      }
+      EXPECT_GE(difference, 0.25);
+    }
+    known.push_back(other);
+  }
+  EXPECT_GT(known.size(), 1u);
 }
 
 TEST(CorrespondenceAlgorithms, SplitsGiveBranches)

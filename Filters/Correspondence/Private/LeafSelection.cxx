@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeafSelection.h"
 
+#include "BeamSearch.h"
 #include "GlobalCost.h"
 #include "LeafRefinement.h"
 #include "SplitConsensus.h"
@@ -14,7 +15,7 @@ namespace marrow
 {
 namespace
 {
-/// Leaves that the local search starts from; work is bounded by it, and most end in the same places.
+/// Leaves that the searches start from; work is bounded by it, and most end in the same places.
 constexpr std::size_t MaximumStarts = 12;
 /// Weights of the share of the surface and of the length that is not matched, beside the cost of the
 /// terminals; chosen on labelled meshes with the weights of GlobalCost.
@@ -162,24 +163,31 @@ double MeanCoverage(const RatedLeaf& leaf)
   return 0.5 * (leaf.SourceCoverage + leaf.TargetCoverage);
 }
 
-/// What the best leaves descend to, as far as no leaf says the same.
-std::vector<RatedLeaf> RefineLeaves(const TerminalPaths& source, const TerminalPaths& target,
-  const GlobalCost& cost, const std::vector<RatedLeaf>& leaves)
+/// What the first leaves say of the terminals.
+std::vector<GlobalCost::Assignment> FirstAssignments(
+  const TerminalPaths& source, const TerminalPaths& target, const std::vector<RatedLeaf>& leaves)
 {
-  std::vector<GlobalCost::Assignment> starts{ cost.Guess() };
+  std::vector<GlobalCost::Assignment> first;
   for (std::size_t i = 0; i < std::min(leaves.size(), MaximumStarts); ++i)
   {
-    starts.push_back(TerminalAssignment(source, target, leaves[i].Match));
+    first.push_back(TerminalAssignment(source, target, leaves[i].Match));
   }
+  return first;
+}
+
+/// Leaves of the assignments that were found, as far as no other leaf says the same.
+std::vector<RatedLeaf> LeavesOf(const TerminalPaths& source, const TerminalPaths& target,
+  const std::vector<GlobalCost::Assignment>& found, const std::vector<RatedLeaf>& others)
+{
   std::set<Statement> said;
-  for (const RatedLeaf& leaf : leaves)
+  for (const RatedLeaf& leaf : others)
   {
     said.insert(StatementOf(leaf.Match));
   }
   std::vector<RatedLeaf> refined;
-  for (const GlobalCost::Assignment& end : Descend(cost, target, starts))
+  for (const GlobalCost::Assignment& assignment : found)
   {
-    const FeatureCorrespondence match = MatchBySplits(source, target, end);
+    const FeatureCorrespondence match = MatchBySplits(source, target, assignment);
     if (!match.Nodes.empty() && said.count(StatementOf(match)) == 0)
     {
       refined.push_back(Rate(source.Graph(), target.Graph(), match));
@@ -216,10 +224,19 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
   rateGlobally(result);
   if (global && source.NumberOfComponents() == 1 && target.NumberOfComponents() == 1)
   {
+    const auto add = [&](const std::vector<GlobalCost::Assignment>& found)
+    {
+      std::vector<RatedLeaf> refined = LeavesOf(sourcePaths, targetPaths, found, result);
+      rateGlobally(refined);
+      result.insert(result.begin(), refined.begin(), refined.end());
+      SortBy(result, &RatedLeaf::GlobalCost);
+    };
     SortBy(result, &RatedLeaf::GlobalCost);
-    std::vector<RatedLeaf> refined = RefineLeaves(sourcePaths, targetPaths, cost, result);
-    rateGlobally(refined);
-    result.insert(result.begin(), refined.begin(), refined.end());
+    std::vector<GlobalCost::Assignment> starts = FirstAssignments(sourcePaths, targetPaths, result);
+    starts.insert(starts.begin(), cost.Guess());
+    add(Descend(cost, targetPaths, starts));
+    add(FindOthers(
+      cost, sourcePaths, targetPaths, FirstAssignments(sourcePaths, targetPaths, result)));
   }
   AddPaperCosts(result);
   SortBy(result, global ? &RatedLeaf::GlobalCost : &RatedLeaf::PaperCost);

@@ -13,7 +13,7 @@ namespace marrow
 struct RatedLeaf
 {
   FeatureCorrespondence Match;
-  bool Refined = false;   ///< not of the tree but found by going on from its leaves
+  bool Refined = false;   ///< not of the tree but found by a search
   double PaperCost = 0.0; ///< C_leaf (correspondence paper, equation 7)
   /// GlobalCost of the terminals, what the branches leave uncovered, how the surface is shared out
   double GlobalCost = 0.0;
@@ -24,7 +24,8 @@ struct RatedLeaf
 
 /// The leaves with their costs, the best first; equal ones stay in the order of the tree. The cost is the
 /// paper's, or if `global` the global one, in either case with that of the hints; where both skeletons have one component, the best leaves are
-/// then refined by Descend and MatchBySplits, and the results are leaves of their own. Of leaves that match
+/// then refined by Descend, what is unlike them all is added by FindOthers, and by MatchBySplits the results
+/// are leaves of their own. Of leaves that match
 /// the same only the best is kept.
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
   const std::vector<FeatureCorrespondence>& leaves, bool global,

@@ -28,7 +28,7 @@ struct Answer
 };
 
 /// More of skeletons and slices are not tried: the right one is hardly ever farther down, and each takes time.
-inline constexpr std::size_t MostAnswers = 10;
+inline constexpr std::size_t MostAnswers = 14;
 }
 
 #endif
