@@ -18,8 +18,9 @@
  * (GlobalSelection): for all matched terminals, the paths between them by length and by MSP along
  * them, how MSP grows from the tip inwards, twins (two legs go to two legs), how they lie in space,
  * what would have to be merged and what is left over; and handedness, which tells left from right
- * where all else is equal. The best leaves are refined by exchanging terminals, and the branches
- * follow from the terminals: those that split the terminals alike are the same. Refined results are
+ * where all else is equal. The best leaves are refined by exchanging terminals; a beam search over the terminals
+ * adds at most four that are unlike all of these, in a quarter of the source's terminals by weight; and the branches
+ * follow from the terminals: those that split the terminals alike are the same. What the searches find are
  * leaves of their own. The pose matters little; the numbering of points, position, orientation and
  * size do not matter.
  *

@@ -30,8 +30,8 @@
  *
  * Any other segment that lies on branches without a partner is not guessed: its faces join the
  * neighbour and a warning names it. One more answer matches nothing and aligns the meshes as wholes, by their
- * principal axes and closest points; it costs as much as the cheapest. If it fits the surfaces better than all
- * others (a bust, a machine part), or is the only one, it is taken, with a warning. There is none beside answers
+ * principal axes and closest points. If it fits the surfaces clearly better than all others (a bust, a machine
+ * part), or is the only one, it is taken, with a warning. There is none beside answers
  * by slices, nor where the skeletons bring their correspondence.
  *
  * Skeletons say little of surfaces of revolution (a vase, a cup, a shaft), which are told by their outer wall:
@@ -67,11 +67,12 @@
  * Read from the skeletons: CorrespondenceId (points) and BranchCorrespondenceId (cells) and, if
  * there, BranchCorrespondenceOrder and BranchCorrespondenceReversed (cells); the field array
  * CorrespondenceConfidence (double in [0,1], 1 if absent). If either skeleton lacks the first two,
- * the skeletons are matched as by vtkSkeletonCorrespondence with its defaults, and of its best ten
+ * the skeletons are matched as by vtkSkeletonCorrespondence with its defaults, and of its best fourteen
  * leaves the surfaces choose: each is carried out coarsely, by a dense correspondence of some 1000
- * points, and that one is taken for which the sum of three is least: GlobalCost (1 where nothing is
- * matched), the mean difference of log MSP between corresponding points (its median aside), and how
- * unevenly the source is hit (the area by which patches of equal size are hit too often).
+ * points there and back, and that one is taken for which the sum of four is least: GlobalCost, the mean difference of
+ * log MSP between corresponding points (its median aside), how unevenly the other surface is hit (the area by
+ * which patches of equal size are hit too often), and how far normals are turned (1 - cosine). The alignment as wholes
+ * is one more answer, at 0.1 more than the least GlobalCost.
  *
  * No method is always right, so the user has the last word. Hints come before all other evidence, in the
  * search for answers as in the choice between them: one pair of points on the two heads turns an animal
