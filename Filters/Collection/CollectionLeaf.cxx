@@ -38,7 +38,6 @@ void SetMeanConfidence(CollectionLeaf& leaf)
   }
   leaf.MeanConfidence = total > 0.0 ? sum / total : 0.0;
 }
-
 }
 
 void CollectionLeaf::AddNote(const std::string& note)

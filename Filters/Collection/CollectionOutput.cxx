@@ -16,6 +16,8 @@
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <string>
+
 namespace marrow
 {
 namespace
@@ -46,6 +48,19 @@ void WriteRejected(const std::vector<RejectedAnswer>& rejected, vtkPolyData* out
   output->GetFieldData()->AddArray(difference);
 }
 
+/// A row for each leaf.
+template <typename Array, typename ValueOf>
+void AddColumn(
+  const char* name, const std::vector<CollectionLeaf>& leaves, ValueOf&& valueOf, vtkTable* table)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  for (const CollectionLeaf& leaf : leaves)
+  {
+    column->InsertNextValue(valueOf(leaf));
+  }
+  table->AddColumn(column);
+}
 }
 
 vtkSmartPointer<vtkPolyData> LabelledMesh(
@@ -73,47 +88,29 @@ vtkSmartPointer<vtkPolyData> LabelledMesh(
 
 void WriteTable(const std::vector<CollectionLeaf>& leaves, vtkTable* table)
 {
-  vtkNew<vtkStringArray> block;
-  block->SetName("Block");
-  vtkNew<vtkUnsignedCharArray> isSource;
-  isSource->SetName("IsSource");
-  vtkNew<vtkStringArray> source;
-  source->SetName("Source");
-  vtkNew<vtkDoubleArray> confidence;
-  confidence->SetName("Confidence");
-  vtkNew<vtkDoubleArray> against;
-  against->SetName("Against");
-  vtkNew<vtkDoubleArray> learning;
-  learning->SetName("Learning");
-  vtkNew<vtkDoubleArray> heldOut;
-  heldOut->SetName("HeldOutAccuracy");
-  vtkNew<vtkDoubleArray> heldOutLearnt;
-  heldOutLearnt->SetName("HeldOutAccuracyLearnt");
-  vtkNew<vtkStringArray> note;
-  note->SetName("Note");
-  for (const CollectionLeaf& leaf : leaves)
-  {
-    block->InsertNextValue(leaf.Name);
-    isSource->InsertNextValue(leaf.IsSource ? 1 : 0);
-    source->InsertNextValue(leaf.Source >= 0 ? leaves[leaf.Source].Name : "");
-    confidence->InsertNextValue(leaf.MeanConfidence);
-    against->InsertNextValue(leaf.Against);
-    learning->InsertNextValue(leaf.Learning);
-    heldOut->InsertNextValue(leaf.HeldOutAccuracy);
-    heldOutLearnt->InsertNextValue(leaf.HeldOutAccuracyLearnt);
-    note->InsertNextValue(leaf.Note);
-  }
   table->Initialize();
-  for (vtkAbstractArray* column :
-    { static_cast<vtkAbstractArray*>(block.Get()), static_cast<vtkAbstractArray*>(isSource.Get()),
-      static_cast<vtkAbstractArray*>(source.Get()),
-      static_cast<vtkAbstractArray*>(confidence.Get()),
-      static_cast<vtkAbstractArray*>(against.Get()), static_cast<vtkAbstractArray*>(learning.Get()),
-      static_cast<vtkAbstractArray*>(heldOut.Get()),
-      static_cast<vtkAbstractArray*>(heldOutLearnt.Get()),
-      static_cast<vtkAbstractArray*>(note.Get()) })
-  {
-    table->AddColumn(column);
-  }
+  AddColumn<vtkStringArray>(
+    "Block", leaves, [](const CollectionLeaf& leaf) { return leaf.Name; }, table);
+  AddColumn<vtkUnsignedCharArray>(
+    "IsSource", leaves, [](const CollectionLeaf& leaf) { return leaf.IsSource ? 1 : 0; }, table);
+  AddColumn<vtkStringArray>(
+    "Source", leaves,
+    [&](const CollectionLeaf& leaf)
+    { return leaf.Source >= 0 ? leaves[leaf.Source].Name : std::string(); },
+    table);
+  AddColumn<vtkDoubleArray>(
+    "Confidence", leaves, [](const CollectionLeaf& leaf) { return leaf.MeanConfidence; }, table);
+  AddColumn<vtkDoubleArray>(
+    "Against", leaves, [](const CollectionLeaf& leaf) { return leaf.Against; }, table);
+  AddColumn<vtkDoubleArray>(
+    "Learning", leaves, [](const CollectionLeaf& leaf) { return leaf.Learning; }, table);
+  AddColumn<vtkDoubleArray>(
+    "HeldOutAccuracy", leaves, [](const CollectionLeaf& leaf) { return leaf.HeldOutAccuracy; },
+    table);
+  AddColumn<vtkDoubleArray>(
+    "HeldOutAccuracyLearnt", leaves,
+    [](const CollectionLeaf& leaf) { return leaf.HeldOutAccuracyLearnt; }, table);
+  AddColumn<vtkStringArray>(
+    "Note", leaves, [](const CollectionLeaf& leaf) { return leaf.Note; }, table);
 }
 }

@@ -88,16 +88,12 @@ bool Summarize(const std::vector<CollectionMember>& members, std::size_t first, 
 std::vector<std::pair<int, int>> SelectPairsOf(
   const std::vector<Summary>& summaries, const std::vector<CollectionMember>& members, bool learns)
 {
-  std::vector<std::vector<double>> sketches;
-  std::vector<int> memberOfShape;
-  std::vector<bool> isSource;
+  std::vector<SketchedShape> shapes;
   for (const Summary& summary : summaries)
   {
-    sketches.push_back(summary.Sketch);
-    memberOfShape.push_back(summary.Member);
-    isSource.push_back(members[summary.Member].IsSource);
+    shapes.push_back({ summary.Sketch, summary.Member, members[summary.Member].IsSource });
   }
-  return ChoosePairs(sketches, memberOfShape, isSource, learns).Pairs;
+  return ChoosePairs(shapes, learns).Pairs;
 }
 }
 

@@ -101,16 +101,13 @@ std::string ErrorOfLabels(
 /// The pairs that are worth matching; and, if it `learns`, the leaves whose labels are to be held back.
 marrow::PairChoice ChoosePairsOf(const std::vector<marrow::ShapeOfLeaf>& shapes, bool learns)
 {
-  std::vector<std::vector<double>> sketches;
-  std::vector<int> leafOfShape;
-  std::vector<bool> isSource;
+  std::vector<marrow::SketchedShape> sketched;
   for (const marrow::ShapeOfLeaf& shape : shapes)
   {
-    sketches.push_back(marrow::SketchOf(shape.Shape->Fine.Skeleton));
-    leafOfShape.push_back(shape.Leaf);
-    isSource.push_back(!shape.Labels.empty());
+    sketched.push_back(
+      { marrow::SketchOf(shape.Shape->Fine.Skeleton), shape.Leaf, !shape.Labels.empty() });
   }
-  return marrow::ChoosePairs(sketches, leafOfShape, isSource, learns);
+  return marrow::ChoosePairs(sketched, learns);
 }
 
 marrow::CollectionGraph GraphOf(const std::vector<marrow::ShapeOfLeaf>& shapes,

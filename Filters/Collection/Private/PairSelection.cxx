@@ -195,9 +195,17 @@ std::vector<bool> ShapesToTell(const std::vector<int>& meshOfShape,
   return isTold;
 }
 
-PairChoice ChoosePairs(const std::vector<std::vector<double>>& sketches,
-  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource, bool learns)
+PairChoice ChoosePairs(const std::vector<SketchedShape>& shapes, bool learns)
 {
+  std::vector<std::vector<double>> sketches;
+  std::vector<int> meshOfShape;
+  std::vector<bool> isSource;
+  for (const SketchedShape& shape : shapes)
+  {
+    sketches.push_back(shape.Sketch);
+    meshOfShape.push_back(shape.Mesh);
+    isSource.push_back(shape.IsSource);
+  }
   PairChoice choice;
   if (learns)
   {

@@ -38,14 +38,20 @@ std::vector<std::pair<int, int>> SelectPairs(const std::vector<std::vector<doubl
   const std::vector<int>& meshOfShape, const std::vector<bool>& isSource,
   const std::vector<bool>& isTold);
 
+/// What is known of a shape when pairs are chosen.
+struct SketchedShape
+{
+  std::vector<double> Sketch;
+  int Mesh = 0; ///< of which it is a body
+  bool IsSource = false;
+};
 struct PairChoice
 {
   std::vector<std::pair<int, int>> Pairs; ///< see SelectPairs
   std::vector<int> HeldOutMeshes;         ///< see MeshesToHoldOut; none if nothing is to be learnt
 };
 /// All of the above.
-PairChoice ChoosePairs(const std::vector<std::vector<double>>& sketches,
-  const std::vector<int>& meshOfShape, const std::vector<bool>& isSource, bool learns);
+PairChoice ChoosePairs(const std::vector<SketchedShape>& shapes, bool learns);
 }
 
 #endif

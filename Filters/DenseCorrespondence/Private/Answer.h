@@ -14,8 +14,8 @@ namespace marrow
 struct Answer
 {
   MatchedSkeletons Match;
-  /// By the skeletons or slices alone, some 0 to 1; that of the answer before it where nothing is matched beside
-  /// others, since skeletons then have no say.
+  /// By the skeletons or slices alone, some 0 to 1. Where nothing is matched: beside other answers hardly more than the
+  /// first's (see AddWhole), else 1.
   double Cost = 1.0;
   double Confidence = 1.0;  ///< [0,1], likewise
   double CostOfHints = 0.0; ///< what it does not keep to of the user's hints, by the skeletons

@@ -59,7 +59,6 @@ double CertaintyOf(const SkeletonMap::Place& place)
   constexpr double ofLeftover = 0.5; // found by where it lies alone
   return place.Matched ? 1.0 : place.IsLeftover ? ofLeftover : LeastCertainty;
 }
-
 }
 
 DenseMapper::DenseMapper(const AnalyzedMesh& source, const AnalyzedMesh& target,
