@@ -72,6 +72,20 @@ void CompareWithHumans(const PreparedMesh& mesh, const std::vector<int>& segment
   result.Values["cut_discrepancy"] = mean.CutDiscrepancy;
 }
 
+/// The share of the target's area whose label the source has too: no transfer can get more of it right.
+double PossibleAccuracy(const PreparedMesh& source, const PreparedMesh& target)
+{
+  const std::set<int> known(source.Labels.begin(), source.Labels.end());
+  double possible = 0.0;
+  double area = 0.0;
+  for (std::size_t face = 0; face < target.Labels.size(); ++face)
+  {
+    possible += known.count(target.Labels[face]) > 0 ? target.Areas[face] : 0.0;
+    area += target.Areas[face];
+  }
+  return possible / area;
+}
+
 /// Against the labels and pieces of the target itself.
 void CompareWithLabels(const PreparedMesh& source, const PreparedMesh& target,
   const std::vector<int>& segments, Result& result)
@@ -85,6 +99,7 @@ void CompareWithLabels(const PreparedMesh& source, const PreparedMesh& target,
     });
   const SegmentationScores scores = Compare(target, segments, target.Pieces);
   result.Values["label_accuracy"] = LabelAccuracy(target.Areas, labels, target.Labels);
+  result.Values["label_accuracy_possible"] = PossibleAccuracy(source, target);
   result.Values["rand_error_to_labels"] = scores.RandError;
   result.Values["boundary_distance_to_labels"] = scores.BoundaryDistance;
   const std::set<int> present(segments.begin(), segments.end());
@@ -137,9 +152,9 @@ void MeasureTransfer(const PreparedMesh& source, const PreparedMesh& target,
 
 const std::vector<std::string>& PairColumns()
 {
-  static const std::vector<std::string> columns = { "label_accuracy", "rand_error",
-    "hamming_distance", "missing_rate", "false_alarm_rate", "gce", "lce", "cut_discrepancy",
-    "rand_error_to_labels", "boundary_distance_to_labels", "segments_missing",
+  static const std::vector<std::string> columns = { "label_accuracy", "label_accuracy_possible",
+    "rand_error", "hamming_distance", "missing_rate", "false_alarm_rate", "gce", "lce",
+    "cut_discrepancy", "rand_error_to_labels", "boundary_distance_to_labels", "segments_missing",
     "correspondence_confidence", "segment_confidence", "matching_cost", "matching_evidence",
     "matching_confidence", "warnings", "seconds_correspondence", "seconds_transfer",
     "matched_pairs", "same_label_pairs", "matched_terminals", "same_label_terminals",

@@ -77,8 +77,8 @@ public:
 
 const std::vector<std::string>& PairMeans()
 {
-  static const std::vector<std::string> columns = { "hamming_distance", "missing_rate",
-    "false_alarm_rate", "gce", "lce", "cut_discrepancy", "rand_error_to_labels",
+  static const std::vector<std::string> columns = { "label_accuracy_possible", "hamming_distance",
+    "missing_rate", "false_alarm_rate", "gce", "lce", "cut_discrepancy", "rand_error_to_labels",
     "boundary_distance_to_labels", "segments_missing", "correspondence_confidence",
     "segment_confidence", "seconds_correspondence", "seconds_transfer" };
   return columns;

@@ -174,6 +174,34 @@ TEST_F(SegmentationBenchmark, MeasuresEveryOrderedPair)
   EXPECT_NEAR(std::stod(summary.front().at("label_accuracy_worst")), worst, 1e-3);
 }
 
+TEST_F(SegmentationBenchmark, SaysHowMuchOfATargetTheSourceHasLabelsFor)
+{
+  // The last mesh knows no label but 0 and 1.
+  const std::string path = "data/labels/3.seg";
+  std::istringstream before(this->Content(path));
+  std::ofstream after(this->Folder / path);
+  for (int label = 0; before >> label;)
+  {
+    after << std::min(label, 1) << "\n";
+  }
+  after.close();
+  ASSERT_EQ(this->Run("results", "--quiet"), 0) << this->Content("stderr.txt");
+  for (const auto& pair : this->Table("results/pairs.csv"))
+  {
+    const double possible = std::stod(pair.at("label_accuracy_possible"));
+    EXPECT_GE(possible, std::stod(pair.at("label_accuracy")) - 1e-6);
+    if (pair.at("source") == "3")
+    {
+      EXPECT_LT(possible, 0.95);
+      EXPECT_GT(possible, 0.05);
+    }
+    else
+    {
+      EXPECT_NEAR(possible, 1.0, 1e-6);
+    }
+  }
+}
+
 TEST_F(SegmentationBenchmark, GoesOnWhereItWasStopped)
 {
   ASSERT_EQ(this->Run("results", "--quiet"), 0) << this->Content("stderr.txt");
