@@ -65,7 +65,7 @@ Picture DrawTree(const std::string&)
   constexpr bool global = true;
   std::vector<marrow::RatedLeaf> leaves;
   for (marrow::RatedLeaf& leaf :
-    marrow::RateLeaves(sourceGraph, targetGraph, tree.GetLeaves(), global))
+    marrow::RateLeaves(sourceGraph, targetGraph, tree.GetLeaves(), {}, global))
   {
     if (!leaf.Refined)
     {

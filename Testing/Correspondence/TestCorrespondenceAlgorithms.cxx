@@ -208,7 +208,7 @@ TEST(CorrespondenceAlgorithms, GlobalCostIsLeastForTheSame)
   const FeatureGraph graph(skeleton, Pieces);
   const TerminalPaths paths(graph);
   ASSERT_EQ(6, paths.Size());
-  const GlobalCost cost(paths, paths);
+  const GlobalCost cost(paths, paths, {});
   GlobalCost::Assignment same(6);
   std::iota(same.begin(), same.end(), 0);
   EXPECT_NEAR(0.0, cost.Total(same), 1e-9);
@@ -231,7 +231,7 @@ TEST(CorrespondenceAlgorithms, OthersAreCheapAndUnlikeWhatIsKnown)
   const Skeleton skeleton = MakeQuadruped().Build();
   const FeatureGraph graph(skeleton, Pieces);
   const TerminalPaths paths(graph);
-  const GlobalCost cost(paths, paths);
+  const GlobalCost cost(paths, paths, {});
   GlobalCost::Assignment same(paths.Size());
   std::iota(same.begin(), same.end(), 0);
   const std::vector<GlobalCost::Assignment> found = FindOthers(cost, paths, paths, {});

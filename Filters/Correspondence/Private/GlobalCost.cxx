@@ -12,34 +12,15 @@ namespace marrow
 {
 namespace
 {
-// Weights of the parts of the cost, one set for all kinds of shapes, chosen on labelled meshes of
-// animals, humans, bears, hands, birds and planes. What is left unmatched matters most: with half
-// of its weight tails are given up, with half as much again ears are taken for horns.
-constexpr double LengthWeight = 0.9;
-constexpr double LengthTolerance = 0.05;
-constexpr double ProfileWeight = 1.0;
-constexpr double ChordWeight = 0.35;
-constexpr double AngleWeight = 0.2;
-constexpr double TwinWeight = 0.6;
-constexpr double CentricityWeight = 0.2;
-constexpr double TaperWeight = 1.0;
-/// A pair costs half as much as it is unlike from here on: shapes differ, and one long tail must not
-/// outweigh all that fits.
-constexpr double Saturation = 0.6;
-constexpr double UnmatchedCost = 0.6;
-constexpr double SplitWeight = 0.6;
-constexpr double PoseWeight = 0.15;
-/// Small: left from right, where all else is equal; a left hand is still like a right hand.
-constexpr double HandednessWeight = 0.025;
 /// Paths in different components on one side and in the same on the other.
 constexpr double Impossible = 2.0;
 /// Quadruples grow with the fourth power of this.
 constexpr std::size_t MaximumHandedTerminals = 6;
 
-/// Differences below the tolerance count little: they must not outweigh what tells left from right.
-double Soften(double difference)
+/// Differences below the tolerance count little.
+double Soften(double difference, double tolerance)
 {
-  return difference * difference / (difference + LengthTolerance);
+  return difference > 0.0 ? difference * difference / (difference + tolerance) : 0.0;
 }
 
 /// Signed volume of a tetrahedron over its mean edge cubed.
@@ -55,10 +36,11 @@ double Volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
 }
 }
 
-GlobalCost::GlobalCost(
-  const TerminalPaths& source, const TerminalPaths& target, const std::vector<NodeHint>& hints)
+GlobalCost::GlobalCost(const TerminalPaths& source, const TerminalPaths& target,
+  const MatchingWeights& weights, const std::vector<NodeHint>& hints)
   : Source(source)
   , Target(target)
+  , Weights(weights)
   , Hints(source, target, hints)
 {
   const int sources = source.Size();
@@ -73,8 +55,8 @@ GlobalCost::GlobalCost(
       const double t = target.Graph().GetFeatures()[target.Feature(j)].AGD;
       const std::vector<double>& a = source.Taper(i);
       const std::vector<double>& b = target.Taper(j);
-      this->TerminalTable[i * targets + j] = CentricityWeight * std::abs(s - t) +
-        TaperWeight * (a.size() == b.size() ? ProfileDistance(a, b) : 0.0);
+      this->TerminalTable[i * targets + j] = weights.Centricity * std::abs(s - t) +
+        weights.Taper * (a.size() == b.size() ? ProfileDistance(a, b) : 0.0);
     }
     for (int k = 0; k < sources; ++k)
     {
@@ -90,12 +72,13 @@ GlobalCost::GlobalCost(
             cost = s.Exists == t.Exists ? 0.0 : Impossible;
             continue;
           }
-          cost =
-            LengthWeight * Soften(std::abs(s.Length - t.Length) / std::max(s.Length, t.Length)) +
-            ProfileWeight * ProfileDistance(s.Profile, t.Profile) +
-            ChordWeight * ProfileDistance(s.Chords, t.Chords) +
-            AngleWeight * std::abs(s.Angle - t.Angle) +
-            TwinWeight * std::abs(s.Likeness - t.Likeness);
+          cost = weights.Length *
+              Soften(std::abs(s.Length - t.Length) / std::max(s.Length, t.Length),
+                weights.LengthTolerance) +
+            weights.Profile * ProfileDistance(s.Profile, t.Profile) +
+            weights.Chord * ProfileDistance(s.Chords, t.Chords) +
+            weights.Angle * std::abs(s.Angle - t.Angle) +
+            weights.Twin * std::abs(s.Likeness - t.Likeness);
         }
       }
     }
@@ -132,11 +115,11 @@ double GlobalCost::Intrinsic(const Assignment& targetOf) const
     const double weight = 0.5 * (this->Source.Weight(i) + this->Target.Weight(j));
     const double pair =
       this->TerminalTable[i * targets + j] + (weights > 0.0 ? unlike / weights : 0.0);
-    cost += weight * pair / (1.0 + pair / Saturation);
+    cost += weight * pair / (1.0 + pair / this->Weights.Saturation);
   }
-  cost += UnmatchedCost * 0.5 * (2.0 - matchedSource - matchedTarget);
-  return cost + SplitWeight * this->SplitCost(targetOf) + PoseWeight * this->PoseCost(targetOf) +
-    this->OfHints(targetOf);
+  cost += this->Weights.Unmatched * 0.5 * (2.0 - matchedSource - matchedTarget);
+  return cost + this->Weights.Split * this->SplitCost(targetOf) +
+    this->Weights.Pose * this->PoseCost(targetOf) + this->OfHints(targetOf);
 }
 
 double GlobalCost::PoseCost(const Assignment& targetOf) const
@@ -304,7 +287,7 @@ double GlobalCost::Handedness(const Assignment& targetOf) const
     }
   }
   const double norm = std::sqrt(squaredSource * squaredTarget);
-  return HandednessWeight * 0.5 * (1.0 - (norm > 0.0 ? product / norm : 0.0));
+  return this->Weights.Handedness * 0.5 * (1.0 - (norm > 0.0 ? product / norm : 0.0));
 }
 
 GlobalCost::Assignment GlobalCost::Guess() const

@@ -3,6 +3,7 @@
 #define marrow_GlobalCost_h
 
 #include "HintCost.h"
+#include "MatchingWeights.h"
 #include "TerminalPaths.h"
 
 #include <vector>
@@ -34,7 +35,7 @@ public:
   using Assignment = std::vector<int>;
 
   GlobalCost(const TerminalPaths& source, const TerminalPaths& target,
-    const std::vector<NodeHint>& hints = {});
+    const MatchingWeights& weights, const std::vector<NodeHint>& hints = {});
 
   /// Everything but handedness. In [0, about 1], but for the hints.
   double Intrinsic(const Assignment& targetOf) const;
@@ -60,6 +61,7 @@ private:
 
   const TerminalPaths& Source;
   const TerminalPaths& Target;
+  MatchingWeights Weights;
   HintCost Hints;
   std::vector<double> PathTable;
   std::vector<double> TerminalTable; ///< |ΔAGD|

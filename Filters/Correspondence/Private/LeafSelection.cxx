@@ -17,10 +17,6 @@ namespace
 {
 /// Leaves that the searches start from; work is bounded by it, and most end in the same places.
 constexpr std::size_t MaximumStarts = 12;
-/// Weights of the share of the surface and of the length that is not matched, beside the cost of the
-/// terminals; chosen on labelled meshes with the weights of GlobalCost.
-constexpr double SurfaceWeight = 0.3;
-constexpr double CoverageWeight = 0.1;
 
 double Coverage(const FeatureGraph& graph, const FeatureCorrespondence& match,
   std::vector<int> MatchedBranches::*path)
@@ -199,11 +195,12 @@ std::vector<RatedLeaf> LeavesOf(const TerminalPaths& source, const TerminalPaths
 }
 
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
-  const std::vector<FeatureCorrespondence>& leaves, bool global, const std::vector<NodeHint>& hints)
+  const std::vector<FeatureCorrespondence>& leaves, const MatchingWeights& weights, bool global,
+  const std::vector<NodeHint>& hints)
 {
   const TerminalPaths sourcePaths(source);
   const TerminalPaths targetPaths(target);
-  const GlobalCost cost(sourcePaths, targetPaths, hints);
+  const GlobalCost cost(sourcePaths, targetPaths, weights, hints);
   const auto rateGlobally = [&](std::vector<RatedLeaf>& some)
   {
     for (RatedLeaf& leaf : some)
@@ -212,8 +209,8 @@ std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph
         TerminalAssignment(sourcePaths, targetPaths, leaf.Match);
       leaf.CostOfHints = cost.OfHints(terminals);
       leaf.GlobalCost = cost.Total(terminals) - leaf.CostOfHints +
-        CoverageWeight * (1.0 - MeanCoverage(leaf)) +
-        SurfaceWeight * SurfaceUnlike(source, target, leaf.Match);
+        weights.Coverage * (1.0 - MeanCoverage(leaf)) +
+        weights.Surface * SurfaceUnlike(source, target, leaf.Match);
     }
   };
   std::vector<RatedLeaf> result;

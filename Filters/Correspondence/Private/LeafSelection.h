@@ -4,6 +4,7 @@
 
 #include "FeatureCorrespondence.h"
 #include "HintCost.h"
+#include "MatchingWeights.h"
 
 #include <vector>
 
@@ -28,7 +29,7 @@ struct RatedLeaf
 /// are leaves of their own. Of leaves that match
 /// the same only the best is kept.
 std::vector<RatedLeaf> RateLeaves(const FeatureGraph& source, const FeatureGraph& target,
-  const std::vector<FeatureCorrespondence>& leaves, bool global,
+  const std::vector<FeatureCorrespondence>& leaves, const MatchingWeights& weights, bool global,
   const std::vector<NodeHint>& hints = {});
 
 /// The share of terminals that may be expected to be matched with the same part, in [0,1]: a logistic

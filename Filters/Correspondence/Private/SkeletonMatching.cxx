@@ -62,8 +62,8 @@ bool GrowLeaves(const FeatureGraph& source, const FeatureGraph& target,
   {
     return false;
   }
-  leaves =
-    RateLeaves(source, target, tree.GetLeaves(), parameters.GlobalSelection, parameters.Hints);
+  leaves = RateLeaves(source, target, tree.GetLeaves(), parameters.Weights,
+    parameters.GlobalSelection, parameters.Hints);
   statistics = tree.GetStatistics();
   return true;
 }
@@ -79,7 +79,7 @@ bool VoteForLeaf(const FeatureGraph& source, const FeatureGraph& target,
   }
   // The global cost would refine the winner, which then were no longer the voters' choice.
   constexpr bool global = false;
-  leaves = RateLeaves(source, target, { voting.GetMatch() }, global);
+  leaves = RateLeaves(source, target, { voting.GetMatch() }, parameters.Weights, global);
   statistics = voting.GetStatistics();
   return true;
 }

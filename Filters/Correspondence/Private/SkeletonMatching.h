@@ -23,6 +23,7 @@ struct MatchingParameters
   TreeParameters Tree;
   int DescriptorPieces = 8;
   bool GlobalSelection = true;
+  MatchingWeights Weights;
   std::vector<NodeHint> Hints; ///< nodes of the skeletons as given
 };
 

@@ -20,6 +20,12 @@ std::vector<Answer> FindAnswers(const Skeleton& source, const Skeleton& target,
 {
   MatchingParameters parameters;
   parameters.Hints = hints;
+  return FindAnswersBy(source, target, parameters, progress);
+}
+
+std::vector<Answer> FindAnswersBy(const Skeleton& source, const Skeleton& target,
+  const MatchingParameters& parameters, const Progress& progress)
+{
   std::vector<Answer> answers;
   SkeletonMatching matching;
   if (!MatchSkeletons(source, target, parameters, matching, progress))
