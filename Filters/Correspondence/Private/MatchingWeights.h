@@ -8,22 +8,25 @@ namespace marrow
 /// kinds of shapes.
 struct MatchingWeights
 {
-  double Length = 0.9; ///< of how unlike two paths between terminals are: length
-  double LengthTolerance =
-    0.05;               ///< below it lengths hardly differ: they must not outweigh left and right
-  double Profile = 1.0; ///< thickness along the paths
-  double Chord = 0.35;  ///< straightness of their middle parts
-  double Angle = 0.2;   ///< between the branches at their ends
-  double Twin = 0.6;    ///< whether their ends are alike
-  double Centricity = 0.2; ///< of how unlike two terminals are: AGD
-  double Taper = 1.0;      ///< thickness from the tip inwards
-  double Saturation = 0.6; ///< a pair this unlike costs half as much as it is unlike
-  double Unmatched = 0.6;  ///< of terminals without partner
-  double Split = 0.6;      ///< of branches that split the terminals as no branch of the other does
-  double Pose = 0.15;      ///< of lying differently in space
-  double Handedness = 0.025; ///< left from right, where all else is equal
-  double Surface = 0.3;      ///< of a different share in the surface
-  double Coverage = 0.1;     ///< of length that is not matched
+  // Two paths between terminals differ by:
+  double Length = 0.9;           ///< their length,
+  double LengthTolerance = 0.05; ///< of which less must not outweigh left and right;
+  double Profile = 1.0;          ///< the thickness along them;
+  double Chord = 0.35;           ///< how straight their middle parts are;
+  double Angle = 0.2;            ///< the angle between the branches at their ends;
+  double Twin = 0.6;             ///< whether these are twins.
+  // Two terminals differ by:
+  double Centricity = 0.2; ///< AGD;
+  double Taper = 1.0;      ///< the thickness from the tip inwards.
+  /// A pair that is this unlike costs half as much as it is unlike: one long tail must not outweigh all that
+  /// fits.
+  double Saturation = 0.6;
+  double Unmatched = 0.6; ///< terminals without partner
+  double Split = 0.6;     ///< branches that split the terminals as none of the other skeleton does
+  double Pose = 0.15;     ///< terminal branches that lie differently in space
+  double Handedness = 0.025; ///< left for right, where all else is equal
+  double Surface = 0.3;      ///< a different share in the surface
+  double Coverage = 0.1;     ///< length that is not matched
 };
 }
 
