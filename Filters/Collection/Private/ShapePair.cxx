@@ -16,7 +16,7 @@ namespace marrow
 namespace
 {
 /// What a file of a pair begins with; the number changes with all that the results depend on.
-constexpr const char* Signature = "Marrow pair 5\n";
+constexpr const char* Signature = "Marrow pair 4\n";
 
 template <typename Value>
 void WriteValue(std::ostream& stream, const Value& value)

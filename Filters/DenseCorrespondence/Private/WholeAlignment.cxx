@@ -15,9 +15,9 @@ namespace marrow
 {
 namespace
 {
-/// Samples by which a similarity of seven parameters is found; time grows with the product.
-constexpr int NumberOfFew = 150;
-constexpr int NumberOfMany = 500;
+/// Points by which a similarity of seven parameters is found; time grows with the product.
+constexpr int NumberOfTargets = 300;
+constexpr int NumberOfSources = 1000;
 
 struct Axes
 {
@@ -53,46 +53,41 @@ Axes PrincipalAxes(const TriangleMesh& mesh)
   return axes;
 }
 
-/// Points of a surface, a column each: the position, and the normal in a length that makes turned normals as far
-/// apart as places.
-using Samples = Eigen::Matrix<double, 6, Eigen::Dynamic>;
-
-/// About `count`, spread over the vertex numbers; a normal that is turned right round is as far as `turn`.
-Samples SomeOf(const TriangleMesh& mesh, int count, double turn)
+/// About `count` points spread over the vertex numbers.
+std::vector<Eigen::Vector3d> SomePoints(const TriangleMesh& mesh, int count)
 {
-  const std::vector<Eigen::Vector3d> normals = mesh.VertexNormals();
+  std::vector<Eigen::Vector3d> points;
   const int step = std::max(1, mesh.NumberOfVertices() / count);
-  Samples samples(6, (mesh.NumberOfVertices() + step - 1) / step);
-  for (Eigen::Index i = 0; i < samples.cols(); ++i)
+  for (int v = 0; v < mesh.NumberOfVertices(); v += step)
   {
-    const auto v = static_cast<std::size_t>(i * step);
-    samples.col(i) << mesh.Points[v], 0.5 * turn * normals[v];
+    points.push_back(mesh.Points[v]);
   }
-  return samples;
+  return points;
 }
 
-Samples Moved(const Samples& samples, const Eigen::Matrix<double, 3, 4>& transform)
+/// The nearest of `candidates` to every moved point, and the sum of squared distances.
+double FindNearest(const std::vector<Eigen::Vector3d>& points,
+  const Eigen::Matrix<double, 3, 4>& transform, const std::vector<Eigen::Vector3d>& candidates,
+  std::vector<int>& nearest)
 {
-  const Eigen::Matrix3d linear = transform.leftCols<3>();
-  Samples moved(6, samples.cols());
-  moved.topRows<3>() = (linear * samples.topRows<3>()).colwise() + transform.col(3);
-  moved.bottomRows<3>() = linear / linear.col(0).norm() * samples.bottomRows<3>();
-  return moved;
-}
-
-/// The one of `candidates` that is nearest to each sample, and the mean of the squared distances.
-double FindNearest(
-  const Samples& samples, const Samples& candidates, std::vector<Eigen::Index>& nearest)
-{
-  const Eigen::VectorXd squares = candidates.colwise().squaredNorm();
-  const Eigen::MatrixXd products = candidates.transpose() * samples;
-  double sum = samples.squaredNorm();
-  nearest.resize(samples.cols());
-  for (Eigen::Index i = 0; i < samples.cols(); ++i)
+  double sum = 0.0;
+  nearest.assign(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    sum += (squares - 2.0 * products.col(i)).minCoeff(&nearest[i]);
+    const Eigen::Vector3d moved = transform.leftCols<3>() * points[i] + transform.col(3);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+    {
+      const double distance = (candidates[c] - moved).squaredNorm();
+      if (distance < least)
+      {
+        least = distance;
+        nearest[i] = static_cast<int>(c);
+      }
+    }
+    sum += least;
   }
-  return sum / static_cast<double>(samples.cols());
+  return sum;
 }
 
 /// All ways to lay one right-handed frame of axes on another.
@@ -124,18 +119,11 @@ Eigen::Matrix<double, 3, 4> AlignWhole(
 {
   const Axes to = PrincipalAxes(source);
   const Axes from = PrincipalAxes(target);
-  const double scale = from.Size > 0.0 && to.Size > 0.0 ? to.Size / from.Size : 1.0;
-  // Each of the few of one surface looks for the nearest of the many of the other.
-  const double turn = scale * from.Size;
-  const Samples fewOfTarget = SomeOf(target, NumberOfFew, turn);
-  const Samples manyOfTarget = SomeOf(target, NumberOfMany, turn);
-  const Samples fewOfSource = SomeOf(source, NumberOfFew, turn);
-  const Samples manyOfSource = SomeOf(source, NumberOfMany, turn);
+  const double scale = from.Size > 0.0 ? to.Size / from.Size : 1.0;
+  const std::vector<Eigen::Vector3d> targets = SomePoints(target, NumberOfTargets);
+  const std::vector<Eigen::Vector3d> sources = SomePoints(source, NumberOfSources);
   std::vector<std::pair<double, Eigen::Matrix<double, 3, 4>>> starts;
-  Samples fewMoved;
-  Samples manyMoved;
-  std::vector<Eigen::Index> ofTarget;
-  std::vector<Eigen::Index> ofSource;
+  std::vector<int> nearest;
   const auto misfit = [&](const Eigen::Matrix<double, 3, 4>& transform)
   {
     double ofHints = 0.0;
@@ -145,10 +133,8 @@ Eigen::Matrix<double, 3, 4> AlignWhole(
         transform.leftCols<3>() * target.Points[hint.TargetVertex] + transform.col(3);
       ofHints += hint.IsForbidden ? 0.0 : (moved - source.Points[hint.SourceVertex]).squaredNorm();
     }
-    fewMoved = Moved(fewOfTarget, transform);
-    manyMoved = Moved(manyOfTarget, transform);
-    return 0.5 * FindNearest(fewMoved, manyOfSource, ofTarget) +
-      0.5 * FindNearest(fewOfSource, manyMoved, ofSource) + ofHints;
+    return FindNearest(targets, transform, sources, nearest) +
+      static_cast<double>(targets.size()) * ofHints;
   };
   for (const Eigen::Matrix3d& rotation : FrameRotations())
   {
@@ -161,7 +147,7 @@ Eigen::Matrix<double, 3, 4> AlignWhole(
     starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 
   // Closest points improve the best few.
-  constexpr std::size_t numberOfStarts = 8;
+  constexpr std::size_t numberOfStarts = 4;
   constexpr int numberOfRounds = 10;
   Eigen::Matrix<double, 3, 4> best = starts.front().second;
   double least = std::numeric_limits<double>::infinity();
@@ -176,10 +162,14 @@ Eigen::Matrix<double, 3, 4> AlignWhole(
         least = sum;
         best = transform;
       }
-      Eigen::Matrix3Xd moving(3, fewMoved.cols() + fewOfSource.cols());
-      Eigen::Matrix3Xd fixed(3, moving.cols());
-      moving << fewMoved.topRows<3>(), manyMoved(Eigen::seqN(0, 3), ofSource);
-      fixed << manyOfSource(Eigen::seqN(0, 3), ofTarget), fewOfSource.topRows<3>();
+      Eigen::Matrix3Xd moving(3, targets.size());
+      Eigen::Matrix3Xd fixed(3, targets.size());
+      for (std::size_t i = 0; i < targets.size(); ++i)
+      {
+        moving.col(static_cast<Eigen::Index>(i)) =
+          transform.leftCols<3>() * targets[i] + transform.col(3);
+        fixed.col(static_cast<Eigen::Index>(i)) = sources[nearest[i]];
+      }
       // The size stays: closest points alone would shrink the one into the other.
       const Eigen::Matrix4d step = Eigen::umeyama(moving, fixed, false);
       transform = step.topRows<3>() *
