@@ -20,7 +20,7 @@ PROGRAMS_OF = {
 }
 # Programs of the system that the pages may call.
 PROGRAMS = {
-    "apt-get", "cd", "cmake", "convert", "ctest", "export", "marrow", "mpiexec", "paraview", "pvbatch",
+    "apt-get", "cd", "cmake", "convert", "cp", "ctest", "export", "marrow", "mkdir", "mpiexec", "paraview", "pvbatch",
     "pvpython", "xvfb-run",
 }
 

@@ -18,8 +18,9 @@ from check_code import commands_of
 from pages import finish, read_pages
 
 # What the commands read and no earlier one has written.
-MESHES = ["animals/bull.off", "animals/camel.off", "bull.off", "camel.off", "cow.off", "meshes/camel.off", "meshes/dino.off"]
-SEGMENTS = ["animals/camel.seg", "by-hand.seg", "camel.seg", "cow.seg", "cow_by_hand.seg",
+MESHES = ["animals/bull.off", "animals/camel.off", "bull.off", "camel.off", "cow.off", "herd/bull.off", "herd/camel.off",
+          "herd/cow.off", "meshes/camel.off", "meshes/dino.off"]
+SEGMENTS = ["animals/camel.seg", "by-hand.seg", "camel.seg", "cow.seg", "cow_by_hand.seg", "herd/camel.seg",
             "human_0.seg", "human_1.seg", "human_2.seg", "truth.seg"]
 # Makes what the examples of some subcommands read.
 LABELLED = ["marrow transfer camel.off cow.off bull.off --segments camel.seg --skeletons -o .",
