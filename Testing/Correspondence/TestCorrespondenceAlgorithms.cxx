@@ -226,6 +226,30 @@ TEST(CorrespondenceAlgorithms, GlobalCostIsLeastForTheSame)
   }
 }
 
+TEST(CorrespondenceAlgorithms, AHintThatIsKeptCostsNothingWhateverTheProportions)
+{
+  const Skeleton skeleton = MakeQuadruped().Build();
+  const FeatureGraph graph(skeleton, Pieces);
+  const TerminalPaths paths(graph);
+  const int tip = graph.GetFeatures()[paths.Feature(0)].Node;
+  const auto branch = std::find_if(skeleton.Branches.begin(), skeleton.Branches.end(),
+    [&](const Branch& some) { return some.Front() == tip || some.Back() == tip; });
+  ASSERT_NE(branch, skeleton.Branches.end());
+  // Far from the tip, yet on the same branch.
+  const int next =
+    branch->Front() == tip ? branch->Nodes[branch->Nodes.size() - 2] : branch->Nodes[1];
+  ASSERT_NE(next, tip);
+  const HintCost cost(paths, paths, { { tip, next, false } });
+  GlobalCost::Assignment assignment(paths.Size());
+  std::iota(assignment.begin(), assignment.end(), 0);
+  EXPECT_EQ(0.0, cost.Total(assignment));
+  std::swap(assignment[0], assignment[1]);
+  EXPECT_GT(cost.Total(assignment), 0.0);
+  assignment[1] = -1;
+  assignment[0] = -1;
+  EXPECT_GE(cost.Total(assignment), HintCost::Weight) << "neither branch is matched";
+}
+
 TEST(CorrespondenceAlgorithms, OthersAreCheapAndUnlikeWhatIsKnown)
 {
   const Skeleton skeleton = MakeQuadruped().Build();

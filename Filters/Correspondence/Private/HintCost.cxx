@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace marrow
 {
@@ -85,45 +86,53 @@ HintCost::HintCost(
       }
       continue;
     }
-    if (s >= 0 && t >= 0)
-    {
-      this->SameBranches.emplace_back(s, t);
-    }
+    Pair pair{ s, t, {} };
     const std::vector<double> toSources = DistancesToTerminals(source, hint.SourceNode);
     const std::vector<double> toTargets = DistancesToTerminals(target, hint.TargetNode);
-    if (toSources.empty() || toTargets.empty())
+    if (!toSources.empty() && !toTargets.empty())
     {
-      continue;
-    }
-    ++this->NumberOfDistances;
-    for (int i = 0; i < source.Size(); ++i)
-    {
-      for (int j = 0; j < target.Size(); ++j)
+      pair.Costs.resize(this->PairCosts.size());
+      for (std::size_t k = 0; k < pair.Costs.size(); ++k)
       {
-        this->PairCosts[i * this->Targets + j] += Weight * Disagreement(toSources[i], toTargets[j]);
+        pair.Costs[k] =
+          Weight * Disagreement(toSources[k / this->Targets], toTargets[k % this->Targets]);
+        this->PairCosts[k] += pair.Costs[k];
       }
     }
+    this->Pairs.push_back(std::move(pair));
   }
+}
+
+double HintCost::Of(const Pair& pair, const std::vector<int>& targetOf) const
+{
+  const bool areOfTerminals = pair.SourceTerminal >= 0 && pair.TargetTerminal >= 0;
+  if (areOfTerminals && targetOf[pair.SourceTerminal] == pair.TargetTerminal)
+  {
+    return 0.0;
+  }
+  double sum = 0.0;
+  int matched = 0;
+  for (std::size_t i = 0; i < targetOf.size(); ++i)
+  {
+    if (targetOf[i] >= 0 && !pair.Costs.empty())
+    {
+      sum += pair.Costs[i * this->Targets + targetOf[i]];
+      ++matched;
+    }
+  }
+  // Nothing matched keeps to no hint.
+  const double ofDistances = matched > 0 ? sum / matched : (pair.Costs.empty() ? 0.0 : Weight);
+  const bool areUnmatched = areOfTerminals && targetOf[pair.SourceTerminal] < 0 &&
+    std::find(targetOf.begin(), targetOf.end(), pair.TargetTerminal) == targetOf.end();
+  return ofDistances + (areUnmatched ? Weight : 0.0);
 }
 
 double HintCost::Total(const std::vector<int>& targetOf) const
 {
-  double sum = 0.0;
-  int pairs = 0;
-  for (std::size_t i = 0; i < targetOf.size(); ++i)
+  double total = 0.0;
+  for (const Pair& pair : this->Pairs)
   {
-    if (targetOf[i] >= 0)
-    {
-      sum += this->OfPair(static_cast<int>(i), targetOf[i]);
-      ++pairs;
-    }
-  }
-  // Nothing matched keeps to no hint.
-  double total = pairs > 0 ? sum / pairs : Weight * this->NumberOfDistances;
-  for (const auto& [s, t] : this->SameBranches)
-  {
-    const bool isTargetMatched = std::find(targetOf.begin(), targetOf.end(), t) != targetOf.end();
-    total += targetOf[s] < 0 && !isTargetMatched ? Weight : 0.0;
+    total += this->Of(pair, targetOf);
   }
   for (const auto& [s, t] : this->ForbiddenBranches)
   {

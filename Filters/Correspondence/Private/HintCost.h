@@ -12,8 +12,9 @@ namespace marrow
 {
 /// What a correspondence of terminals costs for not keeping to hints (ours).
 ///
-/// Two nodes are of the same part if they are as far from every matched terminal as each other, over
-/// the mean distance on their skeletons. Forbidden are matches of the terminals on whose branches two
+/// Two nodes are of the same part if the terminals on whose branches they lie are matched with each other; else
+/// the less, the less they are as far from every matched terminal as each other, over the mean distance
+/// on their skeletons. Forbidden are matches of the terminals on whose branches two
 /// nodes lie; about nodes on other branches terminals say nothing.
 class HintCost
 {
@@ -34,12 +35,21 @@ public:
   double Total(const std::vector<int>& targetOf) const;
 
 private:
+  /// That two nodes are of the same part.
+  struct Pair
+  {
+    /// On whose branches they lie; -1: on no terminal's.
+    int SourceTerminal = -1;
+    int TargetTerminal = -1;
+    std::vector<double>
+      Costs; ///< per pair of terminals, as PairCosts; empty: there is no way to any
+  };
+  double Of(const Pair& pair, const std::vector<int>& targetOf) const;
+
   int Targets = 0;
   std::vector<double> PairCosts;
-  /// The terminals on whose branches the two nodes of a hint lie, where both do.
-  std::vector<std::pair<int, int>> SameBranches;
+  std::vector<Pair> Pairs;
   std::vector<std::pair<int, int>> ForbiddenBranches;
-  int NumberOfDistances = 0; ///< hints whose distances are compared
 };
 }
 
