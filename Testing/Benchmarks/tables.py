@@ -68,7 +68,7 @@ def measure_pairs(data, results, build):
     fill("Documentation/limitations.md", "| category | label accuracy, mean", {
         name: [number(row[column]) for column in COLUMNS] for name, row in {**categories, **groups}.items()})
     fill("README.md", "| | categories with limbs", {
-        "the meshes laid on each other": [number(row["rigid_label_accuracy"]) for row in groups.values()],
+        "aligned rigidly as wholes, without skeletons": [number(row["rigid_label_accuracy"]) for row in groups.values()],
         "pair by pair (`marrow transfer`)": [number(row["label_accuracy"]) for row in groups.values()]})
 
 

@@ -24,7 +24,7 @@ std::string CheckPair(const std::string& text)
 {
   return std::regex_match(text, PairForm())
     ? std::string()
-    : "\"" + text + "\" is not SOURCE:TARGET, two numbers of points, as 1043:88";
+    : "\"" + text + "\" is not SOURCE:TARGET, two numbers of points, as 740:71";
 }
 
 vtkIdType PointOf(const std::string& pair, bool isTarget)
