@@ -44,11 +44,9 @@ def fill(page, heading, cells):
     table, end, rest = after.partition("\n\n")
     lines = table.split("\n")
     for i, line in enumerate(lines):
-        row = [cell.strip() for cell in line.strip("| ").split(" | ")]
-        if row[0] in cells:
-            new = cells.pop(row[0])
-            row[1:] = new
-            lines[i] = "| " + " | ".join(row) + " |"
+        first = line.strip("| ").split(" | ")[0]
+        if first in cells:
+            lines[i] = "| " + " | ".join([first, *cells.pop(first)]) + " |"
     if cells:
         sys.exit(f"{page}, {heading!r}: no row {', '.join(map(repr, cells))}.")
     path.write_text(before + found + "\n".join(lines) + end + rest, encoding="utf-8")
@@ -61,8 +59,7 @@ def number(text, digits=2):
 def measure_pairs(data, results, build):
     folder = results / "pairs"
     subprocess.run([build / "bin" / "marrow-benchmark-segmentation", data, "-o", folder], check=True)
-    rows = rows_of(folder / "summary.csv")
-    of_categories = {row["category"]: row for row in rows}
+    of_categories = {row["category"]: row for row in rows_of(folder / "summary.csv")}
     groups = {name: of_categories[group] for name, group in GROUPS.items()}
     categories = {name: of_categories[name] for name in json.loads((data / "index.json").read_text())}
     fill("Documentation/limitations.md", "| category | label accuracy, mean", {

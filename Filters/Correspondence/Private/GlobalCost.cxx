@@ -20,7 +20,7 @@ constexpr std::size_t MaximumHandedTerminals = 6;
 /// Differences below the tolerance count little.
 double Soften(double difference, double tolerance)
 {
-  return difference > 0.0 ? difference * difference / (difference + tolerance) : 0.0;
+  return difference * difference / (difference + tolerance);
 }
 
 /// Signed volume of a tetrahedron over its mean edge cubed.

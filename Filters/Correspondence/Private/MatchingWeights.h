@@ -5,7 +5,8 @@
 namespace marrow
 {
 /// The weights of what a matching costs: GlobalCost, and what its branches leave uncovered. One set for all
-/// kinds of shapes.
+/// kinds of shapes, chosen on labelled meshes of animals, humans, bears, hands, birds and planes; fit_weights.py
+/// of the segmentation benchmark tries others.
 struct MatchingWeights
 {
   // Two paths between terminals differ by:
@@ -21,9 +22,11 @@ struct MatchingWeights
   /// A pair that is this unlike costs half as much as it is unlike: one long tail must not outweigh all that
   /// fits.
   double Saturation = 0.6;
-  double Unmatched = 0.6; ///< terminals without partner
-  double Split = 0.6;     ///< branches that split the terminals as none of the other skeleton does
-  double Pose = 0.15;     ///< terminal branches that lie differently in space
+  /// Terminals without partner: with half of it tails are given up, with half as much again ears are taken for
+  /// horns.
+  double Unmatched = 0.6;
+  double Split = 0.6; ///< branches that split the terminals as none of the other skeleton does
+  double Pose = 0.15; ///< terminal branches that lie differently in space
   double Handedness = 0.025; ///< left for right, where all else is equal
   double Surface = 0.3;      ///< a different share in the surface
   double Coverage = 0.1;     ///< length that is not matched

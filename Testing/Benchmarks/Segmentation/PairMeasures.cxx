@@ -76,14 +76,10 @@ void CompareWithHumans(const PreparedMesh& mesh, const std::vector<int>& segment
 double PossibleAccuracy(const PreparedMesh& source, const PreparedMesh& target)
 {
   const std::set<int> known(source.Labels.begin(), source.Labels.end());
-  double possible = 0.0;
-  double area = 0.0;
-  for (std::size_t face = 0; face < target.Labels.size(); ++face)
-  {
-    possible += known.count(target.Labels[face]) > 0 ? target.Areas[face] : 0.0;
-    area += target.Areas[face];
-  }
-  return possible / area;
+  std::vector<int> best = target.Labels;
+  std::replace_if(
+    best.begin(), best.end(), [&](int label) { return known.count(label) == 0; }, -1);
+  return LabelAccuracy(target.Areas, best, target.Labels);
 }
 
 /// Against the labels and pieces of the target itself.

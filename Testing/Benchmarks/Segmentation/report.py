@@ -28,8 +28,8 @@ WORST_OF_EACH = 2  # pairs of a category that are drawn
 TABLES = {
     "Segments": {
         "label accuracy": "label_accuracy", "median": "label_accuracy_median", "worst": "label_accuracy_worst",
-        "possible": "label_accuracy_possible", "rigid": "rigid_label_accuracy", "Rand error": "rand_error", "median ": "rand_error_median",
-        "worst ": "rand_error_worst", "rigid ": "rigid_rand_error", "humans": "humans_rand_error",
+        "possible": "label_accuracy_possible", "rigid": "rigid_label_accuracy",
+        "Rand error": "rand_error", "median ": "rand_error_median", "worst ": "rand_error_worst", "rigid ": "rigid_rand_error", "humans": "humans_rand_error",
         "Hamming": "hamming_distance", "GCE": "gce", "LCE": "lce", "cut discr.": "cut_discrepancy"},
     "Skeletons": {
         "nodes inside": "inside_share", "wrong loops": "wrong_loops", "terminals: recall": "terminal_recall",
